@@ -1,0 +1,28 @@
+#pragma once
+/// What a caller lends to a long operation. Every field may be left empty; there is no global state.
+
+#include <atomic>
+#include <functional>
+#include <string_view>
+
+namespace crossloft {
+
+enum class LogLevel : unsigned char { note, warning };
+
+struct Context {
+  /// Called from the calling thread only, never concurrently.
+  std::function<void(LogLevel, std::string_view)> log;
+  /// Stage name and the fraction of it that is done, 0..1; from the calling thread only.
+  std::function<void(std::string_view stage, double fraction)> progress;
+  /// When raised, the operation ends soon with ErrorCode::cancelled and leaves nothing behind.
+  const std::atomic<bool>* cancel = nullptr;
+  /// Worker threads, the calling one included; 0 means one per core. The result never depends on it.
+  unsigned threads = 1;
+
+  void note(std::string_view text) const { if (log) log(LogLevel::note, text); }
+  void warn(std::string_view text) const { if (log) log(LogLevel::warning, text); }
+  void report(std::string_view stage, double fraction) const { if (progress) progress(stage, fraction); }
+  bool cancelled() const { return cancel != nullptr && cancel->load(std::memory_order_relaxed); }
+};
+
+}  // namespace crossloft

@@ -1,0 +1,32 @@
+#pragma once
+/// R0 of one cell with its grounded simplices classified: the only input of pruning (paper, section 3).
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "../delaunay/tet_mesh.h"
+
+namespace crossloft {
+
+/// A facet of a tetrahedron against the sections; grounded = its vertices share a face of the cell.
+enum class FacetKind : std::uint8_t { free, internal, external };
+/// An edge of a tetrahedron against the sections; contour and internal edges are both inside the closed section.
+enum class EdgeKind : std::uint8_t { free, contour, internal, external };
+
+struct CellComplex {
+  TetMesh mesh;
+  std::uint32_t vertex_count = 0;
+  /// Faces of the cell through each vertex: `words` 64-bit words a vertex, bit f = face f of the cell.
+  std::uint32_t words = 1;
+  std::vector<std::uint64_t> face_masks;
+  std::vector<std::array<FacetKind, 4>> facets;  ///< [t][i]: facet opposite vertex slot i
+  std::vector<std::array<EdgeKind, 6>> edges;    ///< [t][e]: edge kEdgeSlots[e]
+
+  std::span<const std::uint64_t> faces_of(std::uint32_t v) const {
+    return {face_masks.data() + std::size_t{v} * words, words};
+  }
+};
+
+}  // namespace crossloft
