@@ -85,7 +85,7 @@ std::size_t LatticePointStore::size() const { return impl_->points.size(); }
 
 namespace {
 
-using Solve = Fixed<256>;
+using Solve = Fixed<512>;
 
 std::array<Solve, 3> normal_of(const LatticePlane& p) {
   return {Solve(p.normal[0]), Solve(p.normal[1]), Solve(p.normal[2])};
@@ -101,9 +101,9 @@ double round_quotient(const Solve& n, const Solve& d) {
   int shift = 0;  // bring the quotient to at least 55 bits plus a sticky bit
   const int bits = a == 0 ? 0 : static_cast<int>(msb(a)) - static_cast<int>(msb(d));
   if (bits < 56) shift = 56 - bits;
-  Fixed<512> scaled = Fixed<512>(a) << shift;
-  const Fixed<512> q = scaled / Fixed<512>(d);
-  const bool inexact = q * Fixed<512>(d) != scaled;
+  const Solve scaled = a << shift;
+  const Solve q = scaled / d;
+  const bool inexact = q * d != scaled;
   std::uint64_t m = static_cast<std::uint64_t>(q);  // 56 or 57 bits
   if (inexact) m |= 1;
   const double value = std::ldexp(static_cast<double>(m), -shift);
