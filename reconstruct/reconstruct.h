@@ -1,0 +1,38 @@
+#pragma once
+/// The main job: sections in, solid and surface out (Boissonnat & Memari 2007).
+
+#include "../arrangement/sections.h"
+#include "../geom/context.h"
+#include "../geom/result.h"
+#include "report.h"
+#include "surface.h"
+
+namespace crossloft {
+
+enum class PruneMode : std::uint8_t {
+  joint,          ///< solidity fixpoint over all tetrahedra of R1 at once
+  paper,          ///< the paper's R2 (two-plane tetrahedra), then its Step 3 with the corrected condition
+  paper_literal,  ///< Step 3 as printed, for study
+};
+
+/// Tolerances are fractions of the diagonal of all contours' bounding box.
+struct Options {
+  PruneMode mode = PruneMode::joint;
+  double match_tolerance = 2e-3;  ///< crossings of two sections on their common line that are taken as one
+  double plane_tolerance = 1e-3;  ///< a vertex further from its plane is an error
+  double on_tolerance = 1e-9;     ///< a contour vertex this near another plane is a crossing already
+};
+
+struct Reconstruction {
+  Solid solid;
+  Surface surface;    ///< closed, oriented, a 2-manifold by index; empty if there is nothing to join
+  Sections sections;  ///< snapped, merged and split: what the solid meets exactly; its planes in canonical order
+  Report report;
+};
+
+/// Reconstructs. The result does not depend on the order of planes, contours, vertices or on context.threads.
+/// Errors: those of the input (ErrorCode up to contradicting_planes), cancelled, internal. Never throws but for memory.
+/// No plane is an error; planes without contours or one plane alone give an empty surface and a warning in the report.
+Result<Reconstruction> reconstruct(const Sections& sections, const Options& options = {}, const Context& context = {});
+
+}  // namespace crossloft

@@ -1,0 +1,69 @@
+#pragma once
+/// What a reconstruction tells about itself, as plain numbers. Lengths in input units, seconds of wall clock.
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "../geom/ids.h"
+
+namespace crossloft {
+
+/// A crossing of one section's contour with the line of two planes that the other section does not have.
+struct UnmatchedCrossing {
+  std::uint32_t plane = kNone;        ///< position in the file of the plane whose contour crosses
+  std::uint32_t other_plane = kNone;  ///< position in the file of the plane that it crosses
+  double x = 0, y = 0, z = 0;
+};
+
+/// One plane of the input, after framing.
+struct PlaneReport {
+  std::uint32_t plane = kNone;        ///< position in the file
+  std::uint32_t vertices = 0, edges = 0;
+  double area = 0;                    ///< of its section
+  double flat_area = 0;               ///< part of it that no tetrahedron touches
+  double displacement = 0;            ///< largest way of a vertex from input to lattice
+  double off_plane = 0;               ///< largest input distance of a vertex from its plane
+};
+
+/// One cell of the arrangement that holds section vertices.
+struct CellReport {
+  std::uint32_t faces = 0, vertices = 0;
+  std::uint32_t tets_r0 = 0, tets_r1 = 0, tets_r2 = 0, tets_r3 = 0;  ///< after each step of pruning
+  std::uint32_t bad_links = 0;        ///< vertices whose extended link is neither a disk nor a sphere
+};
+
+struct StageSeconds {
+  double input = 0, arrangement = 0, crossings = 0, faces = 0, delaunay = 0, pruning = 0, gluing = 0, total = 0;
+};
+
+struct Report {
+  std::string mode;                   ///< joint, paper or paper-literal
+  StageSeconds seconds;
+  double diagonal = 0;                ///< of the bounding box of all contours
+  std::vector<PlaneReport> planes;
+  std::vector<CellReport> cells;      ///< only cells with tetrahedra, in canonical order
+  std::uint32_t arrangement_cells = 0, arrangement_faces = 0, arrangement_vertices = 0;
+
+  double displacement = 0;            ///< largest over all planes, snapping to the lattice
+  double off_plane = 0;
+  std::uint32_t on_line_vertices = 0; ///< contour vertices that were crossings already and moved onto the line
+  std::uint32_t crossings = 0, matched_crossings = 0;
+  std::vector<UnmatchedCrossing> unmatched;
+  double largest_match_gap = 0;       ///< longest way between two crossings that were matched
+  std::uint32_t disagreeing_vertices = 0;  ///< arrangement vertices that are inside one section and outside another
+  std::uint32_t merged_collinear = 0; ///< vertices dropped from collinear runs
+  std::uint32_t edge_splits = 0;      ///< vertices added to make contours Delaunay-conforming
+
+  double section_area = 0, flat_area = 0;
+  std::uint32_t flat_regions = 0;     ///< connected section regions bare on both sides
+  std::uint32_t pinched_vertices = 0, pinched_edges = 0, split_edges = 0;
+  std::uint32_t vertex_copies = 0;    ///< vertices of the surface beyond one a point
+  std::uint32_t solid_tets = 0, surface_triangles = 0, surface_vertices = 0;
+  std::uint32_t bad_links = 0;
+  double volume = 0;
+  std::vector<std::string> notes;     ///< everything the user should be told, one sentence each
+  std::vector<std::string> warnings;
+};
+
+}  // namespace crossloft
