@@ -1,0 +1,50 @@
+#pragma once
+/// Files read whole, and files written whole or not at all.
+
+#include <cstdio>
+#include <string>
+#include <string_view>
+
+#include "../geom/result.h"
+
+namespace crossloft {
+
+/// The bytes of a file. Errors: file_not_readable, with the reason (missing, a directory, no permission).
+Result<std::string> read_file(const std::string& path);
+
+/// A file under construction: bytes go to a new file beside the target, which takes the target's name on commit().
+/// Until then, and after any failure, the target is as it was; the destructor removes what was not committed. A link
+/// is followed, the permissions of an existing target are kept, and a target that is no regular file (a pipe,
+/// /dev/stdout) is written directly. A process that is killed leaves the temporary file (".NAME.N.tmp") behind.
+class AtomicFile {
+ public:
+  static Result<AtomicFile> create(const std::string& path);
+  ~AtomicFile();
+  AtomicFile(AtomicFile&& other) noexcept;
+  AtomicFile(const AtomicFile&) = delete;
+  AtomicFile& operator=(const AtomicFile&) = delete;
+  AtomicFile& operator=(AtomicFile&&) = delete;
+
+  /// Adds bytes at the end. A failed write is remembered and reported by commit().
+  void append(std::string_view bytes);
+  bool failed() const { return error_ != 0; }
+
+  /// Completes the file. Errors: file_not_writable (disk full, no permission); nothing is left behind then.
+  Result<Done> commit();
+
+ private:
+  AtomicFile() = default;
+  Error write_error(const std::string& what) const;
+  void discard();
+
+  std::FILE* file_ = nullptr;
+  std::string path_;       ///< as the user named it
+  std::string target_;     ///< with links resolved
+  std::string temporary_;  ///< empty when the target is written directly
+  int error_ = 0;          ///< errno of the first failure
+};
+
+/// Writes a whole file at once: create, append, commit.
+Result<Done> write_file(const std::string& path, std::string_view bytes);
+
+}  // namespace crossloft
