@@ -4,16 +4,11 @@
 #include "../arrangement/sections.h"
 #include "../geom/context.h"
 #include "../geom/result.h"
+#include "../prune/prune.h"
 #include "report.h"
 #include "surface.h"
 
 namespace crossloft {
-
-enum class PruneMode : std::uint8_t {
-  joint,          ///< solidity fixpoint over all tetrahedra of R1 at once
-  paper,          ///< the paper's R2 (two-plane tetrahedra), then its Step 3 with the corrected condition
-  paper_literal,  ///< Step 3 as printed, for study
-};
 
 /// Tolerances are fractions of the diagonal of all contours' bounding box.
 struct Options {
