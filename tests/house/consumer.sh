@@ -13,6 +13,6 @@ fi
 cmake -G Ninja -S "$source/tests/house/consumer" -B "$work/build" -DCMAKE_CXX_COMPILER="$compiler" \
   -DCMAKE_BUILD_TYPE=Release "$where"
 cmake --build "$work/build"
-"$work/build/consumer" "$work/cube.ply"
-[ -s "$work/cube.ply" ]
+"$work/build/consumer" "$source/examples/demo.contour" "$work/demo.ply"
+[ -s "$work/demo.ply" ]
 if [ "$way" = package ]; then "$work/prefix/bin/crossloft" --version; fi
