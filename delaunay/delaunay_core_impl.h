@@ -1,0 +1,258 @@
+#pragma once
+/// Implementation of delaunay_core.h; include that.
+
+#include "delaunay_core.h"
+
+namespace crossloft::detail {
+
+template <std::size_t D, class P>
+void DelaunayCore<D, P>::build() {
+  std::vector<std::array<double, D>> points(predicates_.size());
+  for (std::uint32_t i = 0; i < points.size(); ++i)
+    for (std::size_t axis = 0; axis < D; ++axis)
+      points[i][axis] = predicates_.coordinate(i, static_cast<int>(axis));
+  for (const std::uint32_t i : insertion_order(std::span<const std::array<double, D>>(points))) insert(i);
+  if (!kept_.empty()) keep_lowest();
+}
+
+template <std::size_t D, class P>
+std::uint32_t DelaunayCore<D, P>::insert(std::uint32_t i, std::uint32_t near) {
+  if (basis_size_ <= static_cast<int>(D)) {
+    wait_for_basis(i);
+    return i;
+  }
+  std::uint32_t start = hint_;
+  if (D == 2 && near < incident_.size() && incident_[near] != kNone) start = incident_[near];
+  return insert_in_full_dimension(i, start);
+}
+
+// ---- until the first simplex
+
+template <std::size_t D, class P>
+bool DelaunayCore<D, P>::extends_basis(std::uint32_t i) const {
+  const auto& b = basis_;
+  if (basis_size_ == 0) return true;
+  if (basis_size_ == 1) return predicates_.compare_lex(b[0], i) != 0;
+  if constexpr (D == 2) {
+    return predicates_.orient2d(b[0], b[1], i) != 0;
+  } else {
+    if (basis_size_ == 2) return !predicates_.collinear(b[0], b[1], i);
+    return predicates_.orient3d(b[0], b[1], b[2], i) != 0;
+  }
+}
+
+template <std::size_t D, class P>
+void DelaunayCore<D, P>::wait_for_basis(std::uint32_t i) {
+  if (!extends_basis(i)) {
+    pending_.push_back(i);
+    return;
+  }
+  basis_[static_cast<std::size_t>(basis_size_++)] = i;
+  if (basis_size_ <= static_cast<int>(D)) return;
+  make_first_cells();
+  for (const std::uint32_t p : pending_) insert_in_full_dimension(p, hint_);
+  pending_.clear();
+}
+
+/// The first simplex and a ghost cell over each of its facets: the boundary of a simplex one dimension up,
+/// whose D + 2 cells miss one vertex each.
+template <std::size_t D, class P>
+void DelaunayCore<D, P>::make_first_cells() {
+  if (orient(predicates_, basis_) < 0) std::swap(basis_[0], basis_[1]);
+  std::array<std::uint32_t, D + 2> missing{};
+  missing[0] = kGhost;
+  cells_.add(basis_);
+  for (std::size_t slot = 0; slot <= D; ++slot) {
+    Simplex<D> ghost = basis_;
+    missing[slot + 1] = ghost[slot];
+    // A point beyond the facet in place of its opposite vertex turns the cell negative; one swap mends it.
+    ghost[slot] = ghost[D];
+    ghost[D] = kGhost;
+    if (slot == D) std::swap(ghost[0], ghost[1]);
+    cells_.add(ghost);
+  }
+  const auto slot_of = [&](std::uint32_t cell, std::uint32_t vertex) {
+    std::size_t slot = 0;
+    while (cells_.vertices(cell)[slot] != vertex) ++slot;
+    return Facet(cell, slot);
+  };
+  for (std::uint32_t a = 0; a < missing.size(); ++a)
+    for (std::uint32_t b = 0; b < a; ++b) cells_.link(slot_of(a, missing[b]), slot_of(b, missing[a]));
+  vertex_count_ = D + 1;
+  for (std::uint32_t cell = 0; cell < cells_.size(); ++cell) note_incident(cell);
+}
+
+// ---- one point
+
+template <std::size_t D, class P>
+std::uint32_t DelaunayCore<D, P>::insert_in_full_dimension(std::uint32_t i, std::uint32_t start) {
+  const std::uint32_t at = locate(i, start);
+  const std::uint32_t twin = equal_vertex(at, i);
+  removed_.clear();
+  if (twin != kNone) {
+    for (auto k = static_cast<std::uint32_t>(kept_.size()); k <= i; ++k) kept_.push_back(k);
+    return kept_[i] = twin;
+  }
+  dig(i, at);
+  fill();
+  ++vertex_count_;
+  return i;
+}
+
+/// Visibility walk: it cannot cycle, since the perturbed triangulation is regular. Returns a cell in conflict
+/// with e, or one that has a vertex equal to e: a finite cell that holds e, or a ghost cell that e is beyond.
+template <std::size_t D, class P>
+std::uint32_t DelaunayCore<D, P>::locate(std::uint32_t e, std::uint32_t start) const {
+  std::uint32_t cell = cells_.is_ghost(start) ? cells_.across({start, D}).cell() : start;
+  std::size_t entered = D + 1;
+  for (bool inside = false; !inside;) {
+    inside = true;
+    for (std::size_t slot = 0; slot <= D; ++slot) {
+      if (slot == entered || orient(predicates_, replaced(cells_.vertices(cell), slot, e)) >= 0) continue;
+      const Facet next = cells_.across({cell, slot});
+      cell = next.cell();
+      entered = next.slot();
+      inside = cells_.is_ghost(cell);
+      break;
+    }
+  }
+  return cell;
+}
+
+template <std::size_t D, class P>
+std::uint32_t DelaunayCore<D, P>::equal_vertex(std::uint32_t cell, std::uint32_t e) const {
+  if (cells_.is_ghost(cell)) return kNone;  // e is strictly beyond the hull
+  for (const std::uint32_t v : cells_.vertices(cell))
+    if (predicates_.coordinate(v, 0) == predicates_.coordinate(e, 0) && predicates_.compare_lex(v, e) == 0)
+      return v;
+  return kNone;
+}
+
+template <std::size_t D, class P>
+bool DelaunayCore<D, P>::in_conflict(std::uint32_t cell, std::uint32_t e) const {
+  if (cells_.is_ghost(cell)) return ghost_conflict(cell, e);
+  return in_ball(predicates_, cells_.vertices(cell), e) > 0;
+}
+
+template <std::size_t D, class P>
+bool DelaunayCore<D, P>::ghost_conflict(std::uint32_t cell, std::uint32_t e) const {
+  if (const int side = orient(predicates_, replaced(cells_.vertices(cell), D, e))) return side > 0;
+  const std::uint32_t behind = cells_.across({cell, D}).cell();
+  return in_ball(predicates_, cells_.vertices(behind), e) > 0;
+}
+
+/// Floods the cells in conflict with e from `start` and collects the boundary. Marks hold the answers of this
+/// insertion, so each cell is asked once.
+template <std::size_t D, class P>
+void DelaunayCore<D, P>::dig(std::uint32_t e, std::uint32_t start) {
+  stamp_ += 2;
+  cavity_.assign(1, start);
+  rim_.clear();
+  cells_.set_mark(start, stamp_);
+  for (std::size_t k = 0; k < cavity_.size(); ++k) {
+    const std::uint32_t cell = cavity_[k];
+    for (std::size_t slot = 0; slot <= D; ++slot) {
+      const Facet next = cells_.across({cell, slot});
+      std::uint32_t mark = cells_.mark(next.cell());
+      if (mark != stamp_ && mark != stamp_ + 1) {
+        mark = in_conflict(next.cell(), e) ? stamp_ : stamp_ + 1;
+        cells_.set_mark(next.cell(), mark);
+        if (mark == stamp_) cavity_.push_back(next.cell());
+      }
+      if (mark != stamp_) {
+        rim_.push_back({replaced(cells_.vertices(cell), slot, e), slot, next});
+      } else if (D == 2) {
+        note_removed(cell, slot);
+      }
+    }
+  }
+}
+
+/// An edge inside the cavity is met from both sides: its lower end first from one of them.
+template <std::size_t D, class P>
+void DelaunayCore<D, P>::note_removed(std::uint32_t cell, std::size_t slot) {
+  const auto& v = cells_.vertices(cell);
+  const std::uint32_t a = v[(slot + 1) % 3], b = v[(slot + 2) % 3];
+  if (a < b && b != kGhost) removed_.push_back({a, b});
+}
+
+/// Stars the cavity from the new point: a cell over each facet of the rim, in the place of a removed one
+/// while there is one. Orientation and the ghost's slot are inherited from the cell that was dug out.
+template <std::size_t D, class P>
+void DelaunayCore<D, P>::fill() {
+  for (std::size_t k = cavity_.size(); k-- > 0;) cells_.release(cavity_[k]);
+  ridges_.reset(rim_.size() * D);
+  for (const Rim& rim : rim_) {
+    const std::uint32_t cell = cells_.add(rim.cell);
+    cells_.link({cell, rim.slot}, rim.outside);
+    join(cell, rim.slot);
+    note_incident(cell);
+    hint_ = cell;
+  }
+}
+
+template <std::size_t D, class P>
+void DelaunayCore<D, P>::join(std::uint32_t cell, std::size_t apex) {
+  const Simplex<D> v = cells_.vertices(cell);
+  for (std::size_t slot = 0; slot <= D; ++slot) {
+    if (slot == apex) continue;
+    // The ridge: the vertices at neither of the two slots.
+    std::uint64_t key;
+    if constexpr (D == 2) {
+      key = v[3 - slot - apex];
+    } else {
+      const std::size_t i = slot != 0 && apex != 0 ? 0 : slot != 1 && apex != 1 ? 1 : 2;
+      key = RidgeTable::key(v[i], v[6 - slot - apex - i]);
+    }
+    Facet other;
+    if (ridges_.match(key, {cell, slot}, other)) cells_.link({cell, slot}, other);
+  }
+}
+
+template <std::size_t D, class P>
+void DelaunayCore<D, P>::note_incident(std::uint32_t cell) {
+  if (D != 2) return;
+  for (const std::uint32_t v : cells_.vertices(cell)) {
+    if (v == kGhost) continue;
+    if (v >= incident_.size()) incident_.resize(std::size_t{v} + 1, kNone);
+    incident_[v] = cell;
+  }
+}
+
+// ---- results
+
+/// Renames each vertex with duplicates to the lowest index of its equals: the insertion order kept another.
+template <std::size_t D, class P>
+void DelaunayCore<D, P>::keep_lowest() {
+  for (auto k = static_cast<std::uint32_t>(kept_.size()); k < predicates_.size(); ++k) kept_.push_back(k);
+  std::vector<std::uint32_t> lowest(kept_.size(), kNone);
+  for (std::uint32_t i = 0; i < kept_.size(); ++i)
+    if (lowest[kept_[i]] == kNone) lowest[kept_[i]] = i;
+  const auto renamed = [&](std::uint32_t v) { return v == kNone ? v : lowest[v]; };
+  for (std::uint32_t& k : kept_) k = renamed(k);
+  for (std::uint32_t cell = 0; cell < cells_.size(); ++cell) {
+    Simplex<D> v = cells_.vertices(cell);
+    for (std::uint32_t& k : v) k = renamed(k);
+    cells_.rename(cell, v);
+    if (!cells_.is_free(cell)) note_incident(cell);
+  }
+}
+
+template <std::size_t D, class P>
+void DelaunayCore<D, P>::finite(std::vector<Simplex<D>>& vertices,
+                                std::vector<Simplex<D>>& neighbours) const {
+  std::vector<std::uint32_t> number(cells_.size(), kNone);
+  for (std::uint32_t cell = 0; cell < cells_.size(); ++cell) {
+    if (cells_.is_free(cell) || cells_.is_ghost(cell)) continue;
+    number[cell] = static_cast<std::uint32_t>(vertices.size());
+    vertices.push_back(cells_.vertices(cell));
+  }
+  neighbours.reserve(vertices.size());
+  for (std::uint32_t cell = 0; cell < cells_.size(); ++cell) {
+    if (number[cell] == kNone) continue;
+    auto& n = neighbours.emplace_back();
+    for (std::size_t slot = 0; slot <= D; ++slot) n[slot] = number[cells_.across({cell, slot}).cell()];
+  }
+}
+
+}  // namespace crossloft::detail

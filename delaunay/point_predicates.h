@@ -1,0 +1,53 @@
+#pragma once
+/// What a triangulation knows of its points: exact signs by index, nothing else.
+///
+/// A predicates object is the seam between the triangulation and the world: it may answer from tags ("four
+/// points share a plane, so orient3d is 0"), from filters, or from any exact arithmetic. All signs are exact,
+/// raw (0 is a legal answer, the triangulation breaks ties itself) and must not change while it is in use.
+
+#include <concepts>
+#include <cstdint>
+
+namespace crossloft {
+
+/// Points 0..size()-1 in space. Conventions of geom/lattice.h:
+///   coordinate(i, axis)      rounded, equal for equal points; used for ordering only, decides nothing;
+///   orient3d(a, b, c, d)     sign of det(b-a, c-a, d-a);
+///   insphere(a, b, c, d, e)  +1 if e is inside the sphere of a, b, c, d when orient3d(a, b, c, d) > 0;
+///   collinear(a, b, c)       true iff the three points lie on one line (asked only until the first
+///   tetrahedron); compare_lex(a, b)        sign of the exact lexicographic order, 0 iff the points are
+///   equal.
+template <class P>
+concept PointPredicates3 = requires(const P& p, std::uint32_t i, int axis) {
+  { p.size() } -> std::convertible_to<std::uint32_t>;
+  { p.coordinate(i, axis) } -> std::convertible_to<double>;
+  { p.orient3d(i, i, i, i) } -> std::same_as<int>;
+  { p.insphere(i, i, i, i, i) } -> std::same_as<int>;
+  { p.collinear(i, i, i) } -> std::same_as<bool>;
+  { p.compare_lex(i, i) } -> std::same_as<int>;
+};
+
+/// Points 0..size()-1 of one oriented plane; the object may grow while a triangulation uses it.
+///   coordinate(i, axis)      rounded coordinates, axis 0 or 1, in any affine frame of the plane: ordering
+///   only; orient2d(a, b, c)        +1 if counter-clockwise; incircle(a, b, c, d)     +1 if d is inside the
+///   circle of a, b, c when orient2d(a, b, c) > 0; compare_lex(a, b)        the rank of the perturbation, 0
+///   iff the points are equal. For a plane in space
+///                            this is the lexicographic order in space: then the triangulation equals the
+///                            hull facets on that plane of every Delaunay triangulation in space.
+template <class P>
+concept PointPredicates2 = requires(const P& p, std::uint32_t i, int axis) {
+  { p.size() } -> std::convertible_to<std::uint32_t>;
+  { p.coordinate(i, axis) } -> std::convertible_to<double>;
+  { p.orient2d(i, i, i) } -> std::same_as<int>;
+  { p.incircle(i, i, i, i) } -> std::same_as<int>;
+  { p.compare_lex(i, i) } -> std::same_as<int>;
+};
+
+/// PointPredicates2 that also measures: what conforming edge recovery needs to place its splits.
+///   squared_distance(a, b)   Euclidean, rounded, symmetric in a and b.
+template <class P>
+concept MetricPredicates2 = PointPredicates2<P> && requires(const P& p, std::uint32_t i) {
+  { p.squared_distance(i, i) } -> std::convertible_to<double>;
+};
+
+}  // namespace crossloft
