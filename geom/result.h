@@ -41,6 +41,9 @@ struct Error {
   std::uint32_t contour = kNone;   ///< 0-based position in its plane
 };
 
+/// An error without a place.
+inline Error make_error(ErrorCode code, std::string message) { return {code, std::move(message), {}, 0, kNone, kNone}; }
+
 /// "FILE:LINE: plane 3, contour 1: message", leaving out what does not apply; planes and contours count from 0.
 std::string to_string(const Error& error);
 

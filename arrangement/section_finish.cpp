@@ -1,0 +1,247 @@
+/// Last steps of the section graph: collinear runs, one vertex a point, canonical order, arrangement vertices.
+
+#include <algorithm>
+#include <numeric>
+
+#include "section_steps.h"
+
+namespace crossloft::section_steps {
+namespace {
+
+Vec3 position(const LatticePoint& p) { return {p.x, p.y, p.z}; }
+
+bool interior_to_face(const SectionGraph& graph, std::uint32_t v) {
+  std::uint32_t planes = 0;
+  for (const std::uint64_t word : graph.zero_of(v)) planes += static_cast<std::uint32_t>(__builtin_popcountll(word));
+  return planes == 1;
+}
+
+/// Removes vertices of the contours of one plane. A piece keeps the points it replaced, so that errors don't add up.
+class RunMerger {
+ public:
+  RunMerger(SectionGraph& graph, std::uint32_t plane) : graph_(graph), walls_(graph.walls[plane]) {
+    const LatticePlane& p = graph.planes[plane];
+    tolerance_ = kSteps * std::max(norm(direction(p.e1)), norm(direction(p.e2)));
+  }
+  void run();
+
+ private:
+  /// A few steps of the lattice: what snapping alone may have bent.
+  static constexpr double kSteps = 3;
+
+  static Vec3 direction(const LatticeVector& e) {
+    return {static_cast<double>(e[0]), static_cast<double>(e[1]), static_cast<double>(e[2])};
+  }
+  std::uint32_t other_end(std::uint32_t wall, std::uint32_t v) const {
+    return walls_[wall].a == v ? walls_[wall].b : walls_[wall].a;
+  }
+  bool near_segment(std::uint32_t u, std::uint32_t w, std::uint32_t v) const;
+  bool try_remove(std::uint32_t v);
+
+  SectionGraph& graph_;
+  std::vector<Wall>& walls_;
+  double tolerance_ = 0;
+  std::vector<std::vector<std::uint32_t>> around_;    ///< walls by vertex
+  std::vector<std::vector<std::uint32_t>> replaced_;  ///< vertices by wall
+  std::vector<bool> dead_;
+};
+
+/// v projects into the open segment uw and is within tolerance of it. Differences of explicit points are exact, the
+/// products are good to 2^-4 lattice units.
+bool RunMerger::near_segment(std::uint32_t u, std::uint32_t w, std::uint32_t v) const {
+  const Vec3 a = position(graph_.points[u]), d = position(graph_.points[w]) - a, p = position(graph_.points[v]) - a;
+  const double along = dot(p, d), length2 = dot(d, d);
+  return along > 0 && along < length2 && norm(cross(p, d)) <= tolerance_ * std::sqrt(length2);
+}
+
+bool RunMerger::try_remove(std::uint32_t v) {
+  const std::uint32_t first = around_[v][0], second = around_[v][1];
+  const std::uint32_t u = other_end(first, v), w = other_end(second, v);
+  if (u == w) return false;
+  std::vector<std::uint32_t> through = replaced_[first];
+  through.insert(through.end(), replaced_[second].begin(), replaced_[second].end());
+  through.push_back(v);
+  if (!std::all_of(through.begin(), through.end(), [&](auto p) { return near_segment(u, w, p); })) return false;
+  for (const std::uint32_t wall : around_[u])
+    if (other_end(wall, u) == w) return false;
+  (walls_[first].a == v ? walls_[first].a : walls_[first].b) = w;
+  std::replace(around_[w].begin(), around_[w].end(), second, first);
+  replaced_[first] = std::move(through);
+  dead_[second] = true;
+  return true;
+}
+
+void RunMerger::run() {
+  around_.resize(graph_.size());
+  replaced_.resize(walls_.size());
+  dead_.resize(walls_.size(), false);
+  std::vector<std::uint32_t> candidates;
+  for (std::uint32_t w = 0; w < walls_.size(); ++w)
+    for (const std::uint32_t v : {walls_[w].a, walls_[w].b}) {
+      around_[v].push_back(w);
+      if (around_[v].size() == 1 && interior_to_face(graph_, v)) candidates.push_back(v);
+    }
+  std::sort(candidates.begin(), candidates.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return compare_lex(graph_.points[a], graph_.points[b]) < 0;
+  });
+  for (const std::uint32_t v : candidates)
+    if (around_[v].size() == 2 && try_remove(v)) ++graph_.statistics.merged_collinear;
+  std::uint32_t w = 0;
+  std::erase_if(walls_, [&](const Wall&) { return dead_[w++]; });
+}
+
+/// Equal walls cancel in pairs: a point crosses both or none.
+void cancel_pairs(std::vector<Wall>& walls) {
+  for (Wall& w : walls)
+    if (w.a > w.b) std::swap(w.a, w.b);
+  std::erase_if(walls, [](const Wall& w) { return w.a == w.b; });
+  std::sort(walls.begin(), walls.end(), [](const Wall& x, const Wall& y) {
+    return std::tie(x.a, x.b, x.source_plane, x.contour, x.line) < std::tie(y.a, y.b, y.source_plane, y.contour, y.line);
+  });
+  std::vector<Wall> odd;
+  for (const Wall& w : walls) {
+    if (!odd.empty() && odd.back().a == w.a && odd.back().b == w.b)
+      odd.pop_back();
+    else
+      odd.push_back(w);
+  }
+  walls = std::move(odd);
+}
+
+/// Vertices into lexicographic order, equal ones into one, those without a wall out unless `kept`.
+void renumber(SectionGraph& graph, const std::vector<bool>& kept) {
+  std::vector<bool> used = kept;
+  for (const auto& walls : graph.walls)
+    for (const Wall& w : walls) used[w.a] = used[w.b] = true;
+  std::vector<std::uint32_t> order;
+  for (std::uint32_t v = 0; v < graph.size(); ++v)
+    if (used[v]) order.push_back(v);
+  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    const int s = compare_lex(graph.points[a], graph.points[b]);
+    return s != 0 ? s < 0 : a < b;
+  });
+  std::vector<std::uint32_t> number(graph.size(), kNone);
+  SectionGraph sorted;
+  sorted.words = graph.words;
+  for (const std::uint32_t v : order) {
+    if (sorted.points.empty() || !equal(sorted.points.back(), graph.points[v])) {
+      sorted.points.push_back(graph.points[v]);
+      sorted.positive.insert(sorted.positive.end(), graph.positive_of(v).begin(), graph.positive_of(v).end());
+      sorted.zero.insert(sorted.zero.end(), graph.zero_of(v).begin(), graph.zero_of(v).end());
+    }
+    number[v] = sorted.size() - 1;
+  }
+  graph.points = std::move(sorted.points);
+  graph.positive = std::move(sorted.positive);
+  graph.zero = std::move(sorted.zero);
+  for (auto& walls : graph.walls) {
+    for (Wall& w : walls) w.a = number[w.a], w.b = number[w.b];
+    cancel_pairs(walls);
+  }
+}
+
+/// Replaces wall w of plane p by pieces through `between`, which lie on it.
+void cut_wall(SectionGraph& graph, std::uint32_t p, std::uint32_t w, std::vector<std::uint32_t> between) {
+  const Wall wall = graph.walls[p][w];  // vertices are in lexicographic order, so along the wall too
+  std::sort(between.begin(), between.end());
+  between.erase(std::unique(between.begin(), between.end()), between.end());
+  std::uint32_t from = wall.a;
+  for (const std::uint32_t v : between) {
+    Wall piece = wall;
+    piece.a = from, piece.b = v;
+    graph.walls[p].push_back(piece);
+    from = v;
+  }
+  graph.walls[p][w].a = from;
+}
+
+bool strictly_on(const SectionGraph& graph, std::uint32_t p, const Wall& wall, std::uint32_t v) {
+  return v > wall.a && v < wall.b &&
+         orient2d(graph.planes[p], graph.points[wall.a], graph.points[wall.b], graph.points[v]) == 0;
+}
+
+/// Contours of one plane that touch: a vertex inside another wall cuts it; what then runs double cancels.
+void cut_touching(SectionGraph& graph) {
+  for (std::uint32_t p = 0; p < graph.planes.size(); ++p) {
+    std::vector<WallEnds> ends;
+    std::vector<std::vector<std::uint32_t>> touching(graph.walls[p].size());
+    bool any = false;
+    for (const auto& [v, w] : graph.locator(p, ends).conflicts())
+      for (const auto& [cut, by] : {std::pair{v, w}, std::pair{w, v}})
+        for (const std::uint32_t end : {ends[by].a, ends[by].b})
+          if (strictly_on(graph, p, graph.walls[p][cut], end)) {
+            touching[cut].push_back(end);
+            any = true;
+          }
+    if (!any) continue;
+    for (std::uint32_t w = 0; w < touching.size(); ++w)
+      if (!touching[w].empty()) cut_wall(graph, p, w, touching[w]);
+    cancel_pairs(graph.walls[p]);
+  }
+}
+
+/// Walls along an arrangement edge are cut at every section vertex there, of any plane.
+void cut_along_edges(SectionGraph& graph, const Arrangement& arrangement) {
+  std::vector<std::array<std::uint32_t, 2>> on_edge;  // edge, vertex
+  for (std::uint32_t v = 0; v < graph.size(); ++v) {
+    const Location at = arrangement.locate({graph.positive_of(v), graph.zero_of(v)});
+    if (at.found() && at.dimension == 1) on_edge.push_back({at.index, v});
+  }
+  std::sort(on_edge.begin(), on_edge.end());
+  for (std::uint32_t p = 0; p < graph.planes.size(); ++p)
+    for (std::uint32_t w = static_cast<std::uint32_t>(graph.walls[p].size()); w-- > 0;) {
+      const Wall wall = graph.walls[p][w];
+      const Location at = wall_location(graph, arrangement, wall);
+      if (!at.found() || at.dimension != 1) continue;
+      std::vector<std::uint32_t> between;
+      const auto begin = std::lower_bound(on_edge.begin(), on_edge.end(), std::array{at.index, wall.a + 1});
+      for (auto it = begin; it != on_edge.end() && (*it)[0] == at.index && (*it)[1] < wall.b; ++it)
+        between.push_back((*it)[1]);
+      if (!between.empty()) cut_wall(graph, p, w, between);
+    }
+  for (auto& walls : graph.walls) cancel_pairs(walls);
+}
+
+}  // namespace
+
+Location wall_location(const SectionGraph& graph, const Arrangement& arrangement, const Wall& wall) {
+  std::vector<std::uint64_t> positive(graph.words), zero(graph.words);
+  for (std::uint32_t w = 0; w < graph.words; ++w) {
+    positive[w] = graph.positive_of(wall.a)[w] | graph.positive_of(wall.b)[w];
+    zero[w] = graph.zero_of(wall.a)[w] & graph.zero_of(wall.b)[w];
+  }
+  return arrangement.locate({positive, zero});
+}
+
+void merge_collinear_runs(SectionGraph& graph) {
+  for (std::uint32_t p = 0; p < graph.planes.size(); ++p) RunMerger(graph, p).run();
+}
+
+void unify(SectionGraph& graph, const Arrangement& arrangement) {
+  renumber(graph, std::vector<bool>(graph.size(), false));
+  cut_touching(graph);
+  cut_along_edges(graph, arrangement);
+  renumber(graph, std::vector<bool>(graph.size(), false));
+}
+
+void add_arrangement_vertices(SectionGraph& graph, const Arrangement& arrangement) {
+  const std::uint32_t count = arrangement.vertex_count();
+  std::vector<bool> in(count, false), out(count, false);
+  for (std::uint32_t p = 0; p < graph.planes.size(); ++p) {
+    std::vector<WallEnds> ends;
+    const SectionLocator locator = graph.locator(p, ends);
+    for (std::uint32_t v = 0; v < count; ++v) {
+      const ArrVertexId id{v};
+      if (arrangement.on_box(id) || !has_bit(arrangement.signs(id).zero, PlaneId{p})) continue;
+      const bool outside = locator.locate(arrangement.point(id)) == SectionLocator::Place::outside;
+      (outside ? out : in)[v] = true;
+    }
+  }
+  for (std::uint32_t v = 0; v < count; ++v) {
+    if (in[v] && out[v]) ++graph.statistics.disagreeing;
+    if (in[v]) graph.add(arrangement.point(ArrVertexId{v}));
+  }
+  renumber(graph, std::vector<bool>(graph.size(), true));
+}
+
+}  // namespace crossloft::section_steps

@@ -1,0 +1,89 @@
+#pragma once
+/// The sections as one exact graph over the arrangement: vertices with their signs against every plane, and
+/// contours cut into walls that each lie in one face or on one edge of the arrangement.
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "../geom/context.h"
+#include "../geom/ids.h"
+#include "../geom/lattice.h"
+#include "../geom/result.h"
+#include "complex.h"
+#include "framed_sections.h"
+#include "section_locator.h"
+
+namespace crossloft {
+
+/// A piece of a contour between two vertices.
+struct Wall {
+  std::uint32_t a = 0, b = 0;        ///< vertices, a < b in the finished graph
+  std::uint32_t contour = 0;         ///< where it comes from: contour of the input plane, for messages
+  std::uint32_t source_plane = 0;    ///< position in the file
+  std::uint32_t line = 0;            ///< of the file
+  bool inside_left = false;          ///< section on the left of a -> b, seen from the positive side of the plane
+};
+
+/// Two sections cross the same arrangement edge at different points, or one alone does.
+struct Mismatch {
+  std::uint32_t plane = kNone;       ///< canonical number of the plane whose contour crosses
+  std::uint32_t other = kNone;       ///< of a plane through the same edge whose contour does not
+  std::uint32_t vertex = kNone;
+};
+
+struct CrossingStatistics {
+  std::uint32_t on_line = 0;         ///< contour vertices that were crossings already
+  std::uint32_t crossings = 0;       ///< contour vertices on lines, one for each plane they belong to
+  std::uint32_t matched = 0;         ///< those that every plane through the line agrees on
+  double largest_gap = 0;            ///< lattice units, between crossings that were matched
+  std::uint32_t undone = 0;          ///< matches taken back because contours would have crossed
+  std::uint32_t merged_collinear = 0;
+  std::uint32_t disagreeing = 0;     ///< arrangement vertices inside one section, outside another
+  std::vector<Mismatch> unmatched;
+};
+
+struct SectionGraph {
+  std::vector<LatticePlane> planes;               ///< canonical order; bits of the sign rows
+  std::vector<LatticePoint> points;               ///< by vertex, in lexicographic order, all different
+  std::uint32_t words = 1;                        ///< of a sign row
+  std::vector<std::uint64_t> positive, zero;      ///< sign rows by vertex, `words` each
+  std::vector<Location> locations;                ///< by vertex: the element of the arrangement it lies in
+  std::vector<std::vector<Wall>> walls;           ///< by plane, sorted by (a, b)
+  CrossingStatistics statistics;
+
+  std::uint32_t size() const { return static_cast<std::uint32_t>(points.size()); }
+  std::span<const std::uint64_t> positive_of(std::uint32_t v) const { return row(positive, v); }
+  std::span<const std::uint64_t> zero_of(std::uint32_t v) const { return row(zero, v); }
+  /// -1, 0, +1: the side of plane p that vertex v is on.
+  int sign(std::uint32_t v, std::uint32_t p) const;
+  /// Adds a vertex and its exact signs; equal points are not merged here. Returns its number.
+  std::uint32_t add(const LatticePoint& point);
+  /// Moves a vertex and renews its signs.
+  void move(std::uint32_t v, const LatticePoint& point);
+  /// An even-odd tester over the current walls of plane p; `ends` receives them and must outlive the tester.
+  SectionLocator locator(std::uint32_t p, std::vector<WallEnds>& ends) const;
+
+ private:
+  std::span<const std::uint64_t> row(const std::vector<std::uint64_t>& rows, std::uint32_t v) const {
+    return {rows.data() + std::size_t{v} * words, words};
+  }
+};
+
+struct CrossingTolerances {
+  double on = 0;     ///< lattice units: a contour vertex this near another plane is a crossing already
+  double match = 0;  ///< lattice units: crossings of two sections this near are the same
+};
+
+/// Builds the graph: vertices near a line go onto it, contours are cut at all planes, crossings of different
+/// sections are matched, collinear runs merged, arrangement vertices inside closed sections added, walls oriented.
+/// `store` owns the new points and must be the one that the arrangement was built with.
+/// Errors: self_crossing, cancelled. Complexity: O(n k) sign tests for n vertices and k planes.
+Result<SectionGraph> build_section_graph(const FramedSections& framed, const Arrangement& arrangement,
+                                         LatticePointStore& store, const CrossingTolerances& tolerances,
+                                         const Context& context);
+
+/// Empty if the graph keeps its invariants: exact signs, walls in one element each, even degrees, no conflicts.
+std::string verify(const SectionGraph& graph, const Arrangement& arrangement);
+
+}  // namespace crossloft

@@ -1,0 +1,70 @@
+#pragma once
+/// Exact even-odd tests against the contours of one plane.
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "../geom/lattice.h"
+
+namespace crossloft {
+
+/// A wall as two point indices; the section is on exactly one side of it.
+struct WallEnds {
+  std::uint32_t a = 0, b = 0;
+};
+
+/// Answers where a point of the plane is relative to the section bounded by closed chains of walls.
+///
+/// A ray argument in exact arithmetic: the walls whose span contains the level of the point are counted on one
+/// side of it. Level = projected coordinates in lexicographic order, that is, the ray direction is turned by an
+/// infinitesimal angle, so that no wall is parallel to the ray and each wall owns its lower end only.
+/// Walls are kept in strips of the second projected axis: a query costs the walls that cross its strip.
+class SectionLocator {
+ public:
+  enum class Place : std::uint8_t { outside, boundary, inside };
+
+  /// The spans must outlive the locator. REQUIRES: all points on `plane`; every point has an even number of walls.
+  SectionLocator(const LatticePlane& plane, std::span<const LatticePoint> points, std::span<const WallEnds> walls);
+
+  /// Where p is; p on a wall or an end of one is boundary.
+  Place locate(const LatticePoint& p) const;
+  /// True iff the points of the segment from p towards q that are near p are inside. A wall along the segment
+  /// does not count, but then the two sides differ: only use inside_left() for walls.
+  bool inside_toward(const LatticePoint& p, const LatticePoint& q) const;
+  /// True iff the section is on the left of wall w, looking from its a to its b from the side the normal points to.
+  /// REQUIRES: no other wall crosses or overlaps w.
+  bool inside_left(std::uint32_t w) const;
+
+  /// All pairs of walls (first < second, sorted) that share a point which is not an end of both.
+  std::vector<std::array<std::uint32_t, 2>> conflicts() const;
+
+ private:
+  struct Count {
+    bool odd = false;       ///< parity of walls on the counted side
+    bool on_wall = false;   ///< the point is on a wall
+  };
+  int compare_level(const LatticePoint& p, const LatticePoint& q) const;
+  std::uint32_t strip_of(double level) const;
+  std::span<const std::uint32_t> strip(std::uint32_t s) const {
+    return {items_.data() + starts_[s], items_.data() + starts_[s + 1]};
+  }
+  /// Parity at p moved by an infinitesimal step towards q; wall `skip` is left out.
+  Count count(const LatticePoint& p, const LatticePoint* toward, std::uint32_t skip) const;
+  bool in_conflict(std::uint32_t v, std::uint32_t w) const;
+  bool boxes_meet(std::uint32_t v, std::uint32_t w) const;
+  std::array<double, 2> level_range(std::uint32_t w) const;
+  const LatticePoint& low(std::uint32_t w) const { return points_[ordered_[w].a]; }
+  const LatticePoint& high(std::uint32_t w) const { return points_[ordered_[w].b]; }
+
+  LatticePlane plane_;
+  std::span<const LatticePoint> points_;
+  std::span<const WallEnds> walls_;
+  int first_ = 0, second_ = 1;           ///< projected axes; levels are second_, then first_
+  std::vector<WallEnds> ordered_;        ///< walls with the lower level first
+  double origin_ = 0, inverse_ = 0, last_strip_ = 0;
+  std::vector<std::uint32_t> starts_, items_;
+};
+
+}  // namespace crossloft

@@ -1,0 +1,114 @@
+/// First step of the section graph: what framing gave, with contour vertices that are crossings put on their lines.
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "../geom/plane_line.h"
+#include "section_steps.h"
+
+namespace crossloft::section_steps {
+namespace {
+
+double length(const LatticeVector& v) {
+  return norm({static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2])});
+}
+
+Vec3 position(const LatticePoint& p) { return {p.x, p.y, p.z}; }
+
+/// Distance of a real point to a lattice plane, lattice units; rounding of about 2^-4 is far below any tolerance.
+double distance(const LatticePlane& plane, Vec3 p) {
+  double sum = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double x = k == 0 ? p.x : k == 1 ? p.y : p.z;
+    sum += static_cast<double>(plane.normal[k]) * (x - static_cast<double>(plane.origin[k]));
+  }
+  return std::abs(sum) / length(plane.normal);
+}
+
+/// Shortest contour edge at each vertex of one plane, lattice units.
+std::vector<double> shortest_edges(const SectionGraph& graph, std::uint32_t p) {
+  std::vector<double> shortest(graph.points.size(), INFINITY);
+  for (const Wall& w : graph.walls[p]) {
+    const double l = norm(position(graph.points[w.a]) - position(graph.points[w.b]));
+    shortest[w.a] = std::min(shortest[w.a], l);
+    shortest[w.b] = std::min(shortest[w.b], l);
+  }
+  return shortest;
+}
+
+/// The nearest point of the line of planes i, j whose dominant coordinate is an integer.
+std::optional<LatticePoint> drop_on_line(const SectionGraph& graph, LatticePointStore& store, std::uint32_t i,
+                                         std::uint32_t j, const LatticePoint& from) {
+  const int axis = line_axis(graph.planes[i], graph.planes[j]);
+  LatticePoint point;
+  if (axis < 0 || !line_point(store, graph.planes[i], graph.planes[j], std::llround(from[axis]), point))
+    return std::nullopt;
+  return point;
+}
+
+/// Where vertex v of plane i goes when it is near the planes of `near`: the common point of two of their lines if
+/// that is within reach, else the nearest point of one line.
+std::optional<LatticePoint> target(const SectionGraph& graph, LatticePointStore& store, std::uint32_t i,
+                                   std::uint32_t v, const std::vector<std::uint32_t>& near, double reach) {
+  const LatticePoint& from = graph.points[v];
+  std::optional<LatticePoint> best;
+  double best_way = reach;
+  for (std::size_t m = 0; m < near.size(); ++m)
+    for (std::size_t n = m + 1; n < near.size(); ++n) {
+      LatticePoint corner;
+      if (!store.meet(graph.planes[i], graph.planes[near[m]], graph.planes[near[n]], corner)) continue;
+      const double way = norm(position(corner) - position(from));
+      if (way <= best_way) best = corner, best_way = way;
+    }
+  if (best) return best;
+  for (const std::uint32_t j : near) {
+    const auto point = drop_on_line(graph, store, i, j, from);
+    if (!point) continue;
+    const double way = norm(position(*point) - position(from));
+    if (way <= best_way && (!best || way < best_way)) best = point, best_way = way;
+  }
+  return best;
+}
+
+}  // namespace
+
+SectionGraph start(const FramedSections& framed) {
+  SectionGraph graph;
+  for (const FramedPlane& plane : framed.planes) graph.planes.push_back(plane.plane);
+  graph.words = static_cast<std::uint32_t>((graph.planes.size() + 63) / 64);
+  graph.walls.resize(graph.planes.size());
+  for (std::size_t p = 0; p < framed.planes.size(); ++p) {
+    const std::uint32_t base = graph.size();
+    for (const LatticePoint& point : framed.planes[p].vertices) graph.add(point);
+    for (const WallEdge& w : framed.planes[p].walls)
+      graph.walls[p].push_back({base + w.a, base + w.b, w.contour, w.plane, w.line, false});
+  }
+  return graph;
+}
+
+void move_onto_lines(SectionGraph& graph, const FramedSections& framed, LatticePointStore& store,
+                     double tolerance) {
+  std::uint32_t v = 0;
+  std::vector<std::uint32_t> near;
+  for (std::uint32_t i = 0; i < graph.planes.size(); ++i) {
+    const std::vector<double> shortest = shortest_edges(graph, i);
+    for (const Vec3& input : framed.planes[i].input) {
+      const Vec3 at = framed.grid.scaled(input);
+      near.clear();
+      for (std::uint32_t j = 0; j < graph.planes.size(); ++j)
+        if (j != i && distance(graph.planes[j], at) <= tolerance && line_axis(graph.planes[i], graph.planes[j]) >= 0)
+          near.push_back(j);
+      const bool all_exact = std::all_of(near.begin(), near.end(), [&](auto j) { return graph.sign(v, j) == 0; });
+      if (!near.empty() && all_exact) ++graph.statistics.on_line;
+      if (!all_exact)
+        if (const auto point = target(graph, store, i, v, near, shortest[v] / 4)) {
+          graph.move(v, *point);
+          ++graph.statistics.on_line;
+        }
+      ++v;
+    }
+  }
+}
+
+}  // namespace crossloft::section_steps

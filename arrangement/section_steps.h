@@ -1,0 +1,39 @@
+#pragma once
+/// The steps of build_section_graph, in order; internal to arrangement/.
+
+#include "section_graph.h"
+
+namespace crossloft::section_steps {
+
+/// Vertices of the framed sections and their walls, nothing moved.
+SectionGraph start(const FramedSections& framed);
+
+/// On: a contour vertex within `tolerance` of another plane, measured on the input coordinates, is a crossing that
+/// the slicer wrote; it moves onto the common line, or onto the arrangement vertex of two such lines. Not if the way
+/// is longer than a quarter of its shorter edge. REQUIRES: vertices numbered as start() left them.
+void move_onto_lines(SectionGraph& graph, const FramedSections& framed, LatticePointStore& store, double tolerance);
+
+/// Cuts every wall at every plane that it crosses. New vertices are line points, rounded along the line to an
+/// integer coordinate such that no sign against another plane changes, else the arrangement vertex in the way.
+/// False if a wall could not be brought to an end (a defect).
+bool cut_at_planes(SectionGraph& graph, LatticePointStore& store, double snap);
+
+/// Match: crossings of different sections on one arrangement edge merge by growing gap.
+void match_crossings(SectionGraph& graph, const Arrangement& arrangement, LatticePointStore& store,
+                     double tolerance);
+
+/// Drops vertices of degree 2 that lie in the interior of a face and within a few lattice steps of the segment that
+/// replaces them.
+void merge_collinear_runs(SectionGraph& graph);
+
+/// Equal points become one vertex, walls that touch are cut there, doubled walls cancel, unused vertices go, and
+/// everything is put into lexicographic order.
+void unify(SectionGraph& graph, const Arrangement& arrangement);
+
+/// Adds the arrangement vertices that lie in the closed section of one of their planes.
+void add_arrangement_vertices(SectionGraph& graph, const Arrangement& arrangement);
+
+/// The face or edge of the arrangement that holds the open wall; not found if the wall crosses a plane.
+Location wall_location(const SectionGraph& graph, const Arrangement& arrangement, const Wall& wall);
+
+}  // namespace crossloft::section_steps
