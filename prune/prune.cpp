@@ -1,0 +1,69 @@
+#include "prune.h"
+
+#include <algorithm>
+
+#include "growth.h"
+#include "solidity.h"
+
+namespace crossloft {
+namespace {
+
+std::uint32_t count(const std::vector<std::uint8_t>& flags) {
+  return static_cast<std::uint32_t>(std::count(flags.begin(), flags.end(), std::uint8_t{1}));
+}
+
+bool is_external(const CellComplex& complex, std::uint32_t t) {
+  const auto& facets = complex.facets[t];
+  const auto& edges = complex.edges[t];
+  return std::find(facets.begin(), facets.end(), FacetKind::external) != facets.end() ||
+         std::find(edges.begin(), edges.end(), EdgeKind::external) != edges.end();
+}
+
+/// T_vf or T_ee for general tags: two faces of the cell cover the four vertices, that is, a grounded triangle and any
+/// vertex, or two opposite grounded edges. (Four vertices on one face would be flat.)
+bool is_two_plane(const CellComplex& complex, std::uint32_t t) {
+  const auto& edges = complex.edges[t];
+  for (unsigned e = 0; e < 3; ++e) {
+    if (edges[e] != EdgeKind::free && edges[5 - e] != EdgeKind::free) return true;
+  }
+  return std::any_of(complex.facets[t].begin(), complex.facets[t].end(),
+                     [](FacetKind kind) { return kind != FacetKind::free; });
+}
+
+std::vector<std::uint8_t> step1(const CellComplex& complex) {
+  std::vector<std::uint8_t> kept(complex.mesh.size());
+  for (std::uint32_t t = 0; t < complex.mesh.size(); ++t) kept[t] = is_external(complex, t) ? 0 : 1;
+  return kept;
+}
+
+/// Takes the tetrahedra of R1 over more than two planes, T_evv and T_vvvv, out of `kept`.
+std::vector<std::uint8_t> take_candidates(const CellComplex& complex, std::vector<std::uint8_t>& kept) {
+  std::vector<std::uint8_t> candidates(kept.size(), 0);
+  for (std::uint32_t t = 0; t < complex.mesh.size(); ++t) {
+    if (kept[t] != 0 && !is_two_plane(complex, t)) std::swap(kept[t], candidates[t]);
+  }
+  return candidates;
+}
+
+}  // namespace
+
+PruneResult prune(const CellComplex& complex, PruneMode mode) {
+  PruneResult result;
+  result.r0 = complex.mesh.size();
+  result.kept = step1(complex);
+  result.r1 = count(result.kept);
+  if (mode == PruneMode::joint) {
+    keep_largest_solid_subset(complex, result.kept);
+    result.r2 = result.r3 = count(result.kept);
+    return result;
+  }
+  const std::vector<std::uint8_t> candidates = take_candidates(complex, result.kept);
+  keep_largest_solid_subset(complex, result.kept);
+  result.r2 = count(result.kept);
+  const auto rule = mode == PruneMode::paper ? TwoFacetRule::corrected : TwoFacetRule::literal;
+  grow_over_facets(complex, candidates, rule, result.kept);
+  result.r3 = count(result.kept);
+  return result;
+}
+
+}  // namespace crossloft

@@ -1,0 +1,145 @@
+#include "solidity.h"
+
+#include <array>
+
+#include "star.h"
+
+namespace crossloft {
+namespace {
+
+/// A corner of a tetrahedron, a node of the forest.
+struct Node {
+  std::uint32_t tet;
+  std::uint8_t corner;
+};
+
+/// Parent of a node: a facet 0..3, or one of these.
+constexpr std::uint8_t kGround = 4;     ///< the tetrahedron has an internal grounded triangle at the corner
+constexpr std::uint8_t kCutOff = 5;     ///< the path is broken, another one is looked for
+constexpr std::uint8_t kUnreached = 6;  ///< no path to the ground
+
+class SolidityForest {
+ public:
+  SolidityForest(const CellComplex& complex, std::vector<std::uint8_t>& kept)
+      : complex_(complex), mesh_(complex.mesh), kept_(kept), parent_(kept.size(), kAllUnreached) {}
+
+  void run() {
+    plant();
+    drop_unreached();
+    while (!falling_.empty()) {
+      const std::uint32_t t = falling_.back();
+      falling_.pop_back();
+      repair_after(t);
+    }
+  }
+
+ private:
+  static constexpr std::array<std::uint8_t, kCorners> kAllUnreached{
+      {kUnreached, kUnreached, kUnreached, kUnreached, kUnreached, kUnreached, kUnreached, kUnreached, kUnreached,
+       kUnreached}};
+
+  std::uint8_t& parent(Node node) { return parent_[node.tet][node.corner]; }
+
+  /// Calls visit(neighbour node, its facet back to `node`) for the kept neighbours in the star.
+  template <class Visit>
+  void for_neighbours(Node node, Visit visit) {
+    for (unsigned i = 0; i < 4; ++i) {
+      const std::uint32_t n = mesh_.neighbours[node.tet][i];
+      if (n == kNone || kept_[n] == 0 || !facet_contains(i, node.corner)) continue;
+      const auto corner = static_cast<std::uint8_t>(same_corner(mesh_, node.tet, node.corner, n));
+      visit(Node{n, corner}, static_cast<std::uint8_t>(facet_towards(mesh_, n, node.tet)));
+    }
+  }
+
+  /// First parents, breadth first from the ground so that paths are short.
+  void plant() {
+    for (std::uint32_t t = 0; t < mesh_.size(); ++t) {
+      if (kept_[t] == 0) continue;
+      for (std::uint8_t corner = 0; corner < kCorners; ++corner) {
+        if (!is_on_ground(complex_, t, corner)) continue;
+        parent({t, corner}) = kGround;
+        queue_.push_back({t, corner});
+      }
+    }
+    grow(kUnreached);
+  }
+
+  /// Breadth-first search from queue_ over the nodes in the given state; empties the queue.
+  void grow(std::uint8_t state) {
+    for (std::size_t head = 0; head < queue_.size(); ++head) {
+      for_neighbours(queue_[head], [&](Node next, std::uint8_t back) {
+        if (parent(next) != state) return;
+        parent(next) = back;
+        queue_.push_back(next);
+      });
+    }
+    queue_.clear();
+  }
+
+  void drop_unreached() {
+    for (std::uint32_t t = 0; t < mesh_.size(); ++t) {
+      if (kept_[t] == 0) continue;
+      for (std::uint8_t corner = 0; corner < kCorners; ++corner) {
+        if (parent({t, corner}) == kUnreached && is_grounded(complex_, t, corner)) drop(t);
+      }
+    }
+  }
+
+  void drop(std::uint32_t t) {
+    if (kept_[t] == 0) return;
+    kept_[t] = 0;
+    falling_.push_back(t);
+  }
+
+  void repair_after(std::uint32_t t) {
+    for (std::uint8_t corner = 0; corner < kCorners; ++corner) {
+      if (!is_grounded(complex_, t, corner)) continue;
+      cut_off_.clear();
+      cut_off_children({t, corner});
+      for (std::size_t head = 0; head < cut_off_.size(); ++head) cut_off_children(cut_off_[head]);
+      reattach();
+    }
+  }
+
+  void cut_off_children(Node node) {
+    for_neighbours(node, [&](Node next, std::uint8_t back) {
+      if (parent(next) != back) return;
+      parent(next) = kCutOff;
+      cut_off_.push_back(next);
+    });
+  }
+
+  /// Finds new parents for cut_off_, a set of whole subtrees: nodes outside of it don't lead through it, except
+  /// behind tetrahedra that are falling already, and those links are cut when their turn comes.
+  void reattach() {
+    for (const Node node : cut_off_) {
+      for_neighbours(node, [&](Node next, std::uint8_t) {
+        if (parent(node) != kCutOff || parent(next) > kGround) return;
+        parent(node) = static_cast<std::uint8_t>(facet_towards(mesh_, node.tet, next.tet));
+        queue_.push_back(node);
+      });
+    }
+    grow(kCutOff);
+    for (const Node node : cut_off_) {
+      if (parent(node) != kCutOff) continue;
+      parent(node) = kUnreached;
+      drop(node.tet);
+    }
+  }
+
+  const CellComplex& complex_;
+  const TetMesh& mesh_;
+  std::vector<std::uint8_t>& kept_;
+  std::vector<std::array<std::uint8_t, kCorners>> parent_;
+  std::vector<Node> queue_;
+  std::vector<Node> cut_off_;
+  std::vector<std::uint32_t> falling_;
+};
+
+}  // namespace
+
+void keep_largest_solid_subset(const CellComplex& complex, std::vector<std::uint8_t>& kept) {
+  SolidityForest(complex, kept).run();
+}
+
+}  // namespace crossloft

@@ -1,0 +1,60 @@
+#pragma once
+/// Walking around a vertex or an edge of the tetrahedra.
+///
+/// A tetrahedron has ten *corners*: its vertex slots 0..3 and its edges 4..9 (edge e is corner 4 + e). The star of a
+/// simplex is walked across facets, from a corner of one tetrahedron to the same simplex's corner of the next.
+
+#include <array>
+#include <cstdint>
+
+#include "cell_complex.h"
+
+namespace crossloft {
+
+inline constexpr unsigned kCorners = 10;
+
+/// Corner of the edge between two different vertex slots.
+inline constexpr std::array<std::array<std::uint8_t, 4>, 4> kEdgeCorner{
+    {{0, 4, 5, 6}, {4, 0, 7, 8}, {5, 7, 0, 9}, {6, 8, 9, 0}}};
+
+/// Bit i: the facet opposite slot i contains the corner, that is, slot i is not one of its vertices.
+inline constexpr std::array<std::uint8_t, kCorners> kCornerFacets{
+    {0b1110, 0b1101, 0b1011, 0b0111, 0b1100, 0b1010, 0b0110, 0b1001, 0b0101, 0b0011}};
+
+inline bool facet_contains(unsigned facet, unsigned corner) {
+  return (kCornerFacets[corner] >> facet & 1U) != 0;
+}
+
+/// Slot of vertex v in the tetrahedron. REQUIRES: v is one of its vertices.
+inline unsigned slot_of(const std::array<std::uint32_t, 4>& tet, std::uint32_t v) {
+  return tet[0] == v ? 0U : tet[1] == v ? 1U : tet[2] == v ? 2U : 3U;
+}
+
+/// Facet of tetrahedron t that leads to its neighbour n. REQUIRES: they are neighbours.
+inline unsigned facet_towards(const TetMesh& mesh, std::uint32_t t, std::uint32_t n) {
+  return slot_of(mesh.neighbours[t], n);
+}
+
+/// The corner of tetrahedron n that is the same simplex as the given corner of t. REQUIRES: n has that simplex.
+inline unsigned same_corner(const TetMesh& mesh, std::uint32_t t, unsigned corner, std::uint32_t n) {
+  const auto& from = mesh.vertices[t];
+  const auto& to = mesh.vertices[n];
+  if (corner < 4) return slot_of(to, from[corner]);
+  const auto& ends = kEdgeSlots[corner - 4];
+  return kEdgeCorner[slot_of(to, from[ends[0]])][slot_of(to, from[ends[1]])];
+}
+
+/// Solidity is asked at vertices and grounded edges only.
+inline bool is_grounded(const CellComplex& complex, std::uint32_t t, unsigned corner) {
+  return corner < 4 || complex.edges[t][corner - 4] != EdgeKind::free;
+}
+
+/// True iff an internal grounded triangle of t contains the corner.
+inline bool is_on_ground(const CellComplex& complex, std::uint32_t t, unsigned corner) {
+  for (unsigned i = 0; i < 4; ++i) {
+    if (facet_contains(i, corner) && complex.facets[t][i] == FacetKind::internal) return true;
+  }
+  return false;
+}
+
+}  // namespace crossloft
