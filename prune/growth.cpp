@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <span>
+#include <cstddef>
 
 #include "star.h"
 
@@ -15,15 +15,16 @@ class Growth {
  public:
   Growth(const CellComplex& complex, const std::vector<std::uint8_t>& candidates, TwoFacetRule rule,
          std::vector<std::uint8_t>& kept)
-      : complex_(complex), mesh_(complex.mesh), candidates_(candidates), rule_(rule), kept_(kept),
+      : complex_(complex),
+        mesh_(complex.mesh),
+        candidates_(candidates),
+        rule_(rule),
+        kept_(kept),
         listed_(kept.size(), 0) {}
 
   void run() {
-    std::vector<std::uint32_t> first;
-    for (std::uint32_t t = 0; t < mesh_.size(); ++t) {
-      if (is_open(t)) first.push_back(t);
-    }
-    list(first);
+    for (std::uint32_t t = 0; t < mesh_.size(); ++t) list_if_open(t);
+    sort_from(0);
     for (std::size_t head = 0; head < list_.size(); ++head) {
       const std::uint32_t t = list_[head];
       listed_[t] = 0;
@@ -57,20 +58,24 @@ class Growth {
     return sorted;
   }
 
-  void list_neighbours(std::uint32_t t) {
-    std::array<std::uint32_t, 4> open{};
-    std::size_t count = 0;
-    for (const std::uint32_t n : mesh_.neighbours[t]) {
-      if (n != kNone && is_open(n)) open[count++] = n;
-    }
-    list(std::span(open).first(count));
+  void list_if_open(std::uint32_t t) {
+    if (!is_open(t)) return;
+    listed_[t] = 1;
+    list_.push_back(t);
   }
 
-  /// Appends in canonical order.
-  void list(std::span<std::uint32_t> tets) {
-    std::sort(tets.begin(), tets.end(), [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
-    for (const std::uint32_t t : tets) listed_[t] = 1;
-    list_.insert(list_.end(), tets.begin(), tets.end());
+  void list_neighbours(std::uint32_t t) {
+    const std::size_t first = list_.size();
+    for (const std::uint32_t n : mesh_.neighbours[t]) {
+      if (n != kNone) list_if_open(n);
+    }
+    sort_from(first);
+  }
+
+  /// Puts the end of the list into canonical order.
+  void sort_from(std::size_t first) {
+    std::sort(list_.begin() + static_cast<std::ptrdiff_t>(first), list_.end(),
+              [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
   }
 
   /// REQUIRES: two facets in the solid or more; facets are never lost again.
@@ -119,8 +124,8 @@ class Growth {
 
 }  // namespace
 
-void grow_over_facets(const CellComplex& complex, const std::vector<std::uint8_t>& candidates, TwoFacetRule rule,
-                      std::vector<std::uint8_t>& kept) {
+void grow_over_facets(const CellComplex& complex, const std::vector<std::uint8_t>& candidates,
+                      TwoFacetRule rule, std::vector<std::uint8_t>& kept) {
   Growth(complex, candidates, rule, kept).run();
 }
 

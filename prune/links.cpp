@@ -11,10 +11,12 @@
 namespace crossloft {
 namespace {
 
-/// Index of the tetrahedra at each vertex that bear on its link: kept ones and those with an internal triangle there.
+/// Index of the tetrahedra at each vertex that bear on its link: kept ones and those with an internal
+/// triangle there.
 class Stars {
  public:
-  Stars(const CellComplex& complex, std::span<const std::uint8_t> kept) : begin_(complex.vertex_count + 1, 0) {
+  Stars(const CellComplex& complex, std::span<const std::uint8_t> kept)
+      : begin_(complex.vertex_count + 1, 0) {
     for_corners(complex, kept, [&](std::uint32_t v, std::uint32_t) { ++begin_[v + 1]; });
     std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
     tets_.resize(begin_.back());
@@ -43,8 +45,8 @@ class Stars {
 /// Label of the far corner of a virtual triangle: never a vertex of the mesh.
 constexpr std::uint32_t kBehind = kNone;
 
-/// A side a < b of a link triangle, and its ends as corners 3 * triangle + 0..2: the facet (v, a, b) of a tetrahedron
-/// or, for b = kBehind, the grounded edge (v, a) of a virtual triangle.
+/// A side a < b of a link triangle, and its ends as corners 3 * triangle + 0..2: the facet (v, a, b) of a
+/// tetrahedron or, for b = kBehind, the grounded edge (v, a) of a virtual triangle.
 struct Side {
   std::uint32_t a, b, triangle, corner_a, corner_b;
 };
@@ -53,7 +55,8 @@ enum class LinkShape : std::uint8_t { disk, sphere, disconnected, pinched, annul
 
 class ExtendedLink {
  public:
-  ExtendedLink(const CellComplex& complex, std::span<const std::uint8_t> kept) : complex_(complex), kept_(kept) {}
+  ExtendedLink(const CellComplex& complex, std::span<const std::uint8_t> kept)
+      : complex_(complex), kept_(kept) {}
 
   LinkShape shape(std::uint32_t v, std::span<const std::uint32_t> star) {
     collect(v, star);
@@ -67,7 +70,8 @@ class ExtendedLink {
     if (components_.count() > 1) return LinkShape::disconnected;
     const std::uint32_t corner_count = corners_.count();
     if (corner_count > label_count()) return LinkShape::pinched;
-    const int chi = static_cast<int>(corner_count + triangle_count) - static_cast<int>(3 * triangle_count - glued);
+    const int chi =
+        static_cast<int>(corner_count + triangle_count) - static_cast<int>(3 * triangle_count - glued);
     return chi == 2 ? LinkShape::sphere : chi == 1 ? LinkShape::disk : LinkShape::annular;
   }
 
@@ -109,9 +113,9 @@ class ExtendedLink {
     }
   }
 
-  /// Joins triangles and corners across equal sides; returns the number of glued pairs. Sides come in ones and twos:
-  /// a facet has two tetrahedra or is on the hull, where a virtual triangle may take the other side, and a
-  /// grounded edge is on two hull facets.
+  /// Joins triangles and corners across equal sides; returns the number of glued pairs. Sides come in ones
+  /// and twos: a facet has two tetrahedra or is on the hull, where a virtual triangle may take the other
+  /// side, and a grounded edge is on two hull facets.
   std::uint32_t glue_sides() {
     std::uint32_t glued = 0;
     for (std::size_t i = 0; i + 1 < sides_.size(); ++i) {
@@ -127,8 +131,8 @@ class ExtendedLink {
     return glued;
   }
 
-  /// Different vertices of the link. The section side counts once for each of its fans around v: two wedges of a
-  /// section that touch in v only are the section's own affair.
+  /// Different vertices of the link. The section side counts once for each of its fans around v: two wedges
+  /// of a section that touch in v only are the section's own affair.
   std::uint32_t label_count() {
     labels_.clear();
     for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
@@ -151,11 +155,21 @@ class ExtendedLink {
 
 void count(LinkShape shape, LinkCensus& census) {
   switch (shape) {
-    case LinkShape::disk: ++census.disks; break;
-    case LinkShape::sphere: ++census.spheres; break;
-    case LinkShape::disconnected: ++census.disconnected; break;
-    case LinkShape::pinched: ++census.pinched; break;
-    case LinkShape::annular: ++census.annular; break;
+    case LinkShape::disk:
+      ++census.disks;
+      break;
+    case LinkShape::sphere:
+      ++census.spheres;
+      break;
+    case LinkShape::disconnected:
+      ++census.disconnected;
+      break;
+    case LinkShape::pinched:
+      ++census.pinched;
+      break;
+    case LinkShape::annular:
+      ++census.annular;
+      break;
   }
 }
 

@@ -1,11 +1,12 @@
 #pragma once
-/// Census of vertex neighbourhoods after pruning (Definition 2): is each vertex a manifold point of the cell's solid?
+/// Census of vertex neighbourhoods after pruning (Definition 2): is each vertex a manifold point of the
+/// cell's solid?
 ///
 /// The extended link of v is the link of v in the kept tetrahedra, plus a virtual triangle for each internal
-/// grounded triangle of the cell at v: the section has material on its other side. Virtual triangles are joined
-/// to each other around v along grounded edges, and to the kept tetrahedron that they are a facet of. v has a ball or half-ball as
-/// neighbourhood iff its extended link is a sphere or a disk. Solidity only makes the link connected to the
-/// section; the usual failure is an annulus.
+/// grounded triangle of the cell at v: the section has material on its other side. Virtual triangles are
+/// joined to each other around v along grounded edges, and to the kept tetrahedron that they are a facet of.
+/// v has a ball or half-ball as neighbourhood iff its extended link is a sphere or a disk. Solidity only
+/// makes the link connected to the section; the usual failure is an annulus.
 
 #include <cstdint>
 #include <span>
@@ -16,7 +17,7 @@ namespace crossloft {
 
 /// Numbers of vertices by their extended link; each vertex of the cell is counted once.
 struct LinkCensus {
-  std::uint32_t bare = 0;          ///< no kept tetrahedron at the vertex
+  std::uint32_t bare = 0;  ///< no kept tetrahedron at the vertex
   std::uint32_t disks = 0;
   std::uint32_t spheres = 0;
   std::uint32_t disconnected = 0;  ///< several components

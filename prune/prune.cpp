@@ -19,8 +19,8 @@ bool is_external(const CellComplex& complex, std::uint32_t t) {
          std::find(edges.begin(), edges.end(), EdgeKind::external) != edges.end();
 }
 
-/// T_vf or T_ee for general tags: two faces of the cell cover the four vertices, that is, a grounded triangle and any
-/// vertex, or two opposite grounded edges. (Four vertices on one face would be flat.)
+/// T_vf or T_ee for general tags: two faces of the cell cover the four vertices, that is, a grounded triangle
+/// and any vertex, or two opposite grounded edges. (Four vertices on one face would be flat.)
 bool is_two_plane(const CellComplex& complex, std::uint32_t t) {
   const auto& edges = complex.edges[t];
   for (unsigned e = 0; e < 3; ++e) {

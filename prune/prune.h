@@ -3,8 +3,8 @@
 ///
 /// A set of tetrahedra is *solid* at a section vertex or grounded edge s if each of its tetrahedra at s is
 /// connected, through facets that contain s and within the set, to one that has an internal grounded triangle
-/// at s (Definition 9). Unions of solid sets are solid, so every set has one largest solid subset, whatever the
-/// order in which it is found (Lemma 1).
+/// at s (Definition 9). Unions of solid sets are solid, so every set has one largest solid subset, whatever
+/// the order in which it is found (Lemma 1).
 
 #include <cstdint>
 #include <vector>
@@ -22,16 +22,15 @@ enum class PruneMode : std::uint8_t {
 struct PruneResult {
   std::vector<std::uint8_t> kept;  ///< per tetrahedron of R0: 1 in the solid, 0 not
   std::uint32_t r0 = 0;            ///< tetrahedra of R0
-  std::uint32_t r1 = 0;            ///< after Step 1: neither an external grounded edge nor an external triangle
-  std::uint32_t r2 = 0;            ///< after Step 2: the largest solid subset (of the two-plane ones in `paper`)
-  std::uint32_t r3 = 0;            ///< after Step 3: the solid; r2 in `joint`
+  std::uint32_t r1 = 0;  ///< after Step 1: neither an external grounded edge nor an external triangle
+  std::uint32_t r2 = 0;  ///< after Step 2: the largest solid subset (of the two-plane ones in `paper`)
+  std::uint32_t r3 = 0;  ///< after Step 3: the solid; r2 in `joint`
 };
 
-/// Prunes. The solid depends on the tetrahedra alone: not on their numbers nor on the order of their vertices,
-/// provided vertex numbers are canonical (Step 3 takes candidates in the order of their sorted vertices).
-/// REQUIRES: verify(complex) (verify.h).
-/// Time: linear but for the re-attachment of cut-off parts of vertex stars (solidity.h), which is short in
-/// practice. Memory: some 40 bytes a tetrahedron.
+/// Prunes. The solid depends on the tetrahedra alone: not on their numbers nor on the order of their
+/// vertices, provided vertex numbers are canonical (Step 3 takes candidates in the order of their sorted
+/// vertices). REQUIRES: verify(complex) (verify.h). Time: linear but for the re-attachment of cut-off parts
+/// of vertex stars (solidity.h), which is short in practice. Memory: some 40 bytes a tetrahedron.
 PruneResult prune(const CellComplex& complex, PruneMode mode = PruneMode::joint);
 
 }  // namespace crossloft

@@ -35,8 +35,8 @@ class SolidityForest {
 
  private:
   static constexpr std::array<std::uint8_t, kCorners> kAllUnreached{
-      {kUnreached, kUnreached, kUnreached, kUnreached, kUnreached, kUnreached, kUnreached, kUnreached, kUnreached,
-       kUnreached}};
+      {kUnreached, kUnreached, kUnreached, kUnreached, kUnreached, kUnreached, kUnreached, kUnreached,
+       kUnreached, kUnreached}};
 
   std::uint8_t& parent(Node node) { return parent_[node.tet][node.corner]; }
 
@@ -109,8 +109,8 @@ class SolidityForest {
     });
   }
 
-  /// Finds new parents for cut_off_, a set of whole subtrees: nodes outside of it don't lead through it, except
-  /// behind tetrahedra that are falling already, and those links are cut when their turn comes.
+  /// Finds new parents for cut_off_, a set of whole subtrees: nodes outside of it don't lead through it,
+  /// except behind tetrahedra that are falling already, and those links are cut when their turn comes.
   void reattach() {
     for (const Node node : cut_off_) {
       for_neighbours(node, [&](Node next, std::uint8_t) {

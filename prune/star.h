@@ -1,8 +1,9 @@
 #pragma once
 /// Walking around a vertex or an edge of the tetrahedra.
 ///
-/// A tetrahedron has ten *corners*: its vertex slots 0..3 and its edges 4..9 (edge e is corner 4 + e). The star of a
-/// simplex is walked across facets, from a corner of one tetrahedron to the same simplex's corner of the next.
+/// A tetrahedron has ten *corners*: its vertex slots 0..3 and its edges 4..9 (edge e is corner 4 + e). The
+/// star of a simplex is walked across facets, from a corner of one tetrahedron to the same simplex's corner
+/// of the next.
 
 #include <array>
 #include <cstdint>
@@ -35,7 +36,8 @@ inline unsigned facet_towards(const TetMesh& mesh, std::uint32_t t, std::uint32_
   return slot_of(mesh.neighbours[t], n);
 }
 
-/// The corner of tetrahedron n that is the same simplex as the given corner of t. REQUIRES: n has that simplex.
+/// The corner of tetrahedron n that is the same simplex as the given corner of t. REQUIRES: n has that
+/// simplex.
 inline unsigned same_corner(const TetMesh& mesh, std::uint32_t t, unsigned corner, std::uint32_t n) {
   const auto& from = mesh.vertices[t];
   const auto& to = mesh.vertices[n];

@@ -77,8 +77,8 @@ bool edges_agree(const CellComplex& complex) {
   all.reserve(std::size_t{6} * complex.mesh.size());
   for (std::uint32_t t = 0; t < complex.mesh.size(); ++t) {
     for (unsigned e = 0; e < 6; ++e) {
-      const auto [a, b] = std::minmax(complex.mesh.vertices[t][kEdgeSlots[e][0]],
-                                      complex.mesh.vertices[t][kEdgeSlots[e][1]]);
+      const auto [a, b] =
+          std::minmax(complex.mesh.vertices[t][kEdgeSlots[e][0]], complex.mesh.vertices[t][kEdgeSlots[e][1]]);
       all.emplace_back(a, b, complex.edges[t][e]);
     }
   }
@@ -155,7 +155,8 @@ bool conforms(const CellComplex& complex, const std::vector<std::uint8_t>& kept)
 bool counts_fit(const PruneResult& result) {
   return result.r0 == result.kept.size() && result.r0 >= result.r1 && result.r1 >= result.r3 &&
          result.r3 >= result.r2 &&
-         result.r3 == static_cast<std::size_t>(std::count(result.kept.begin(), result.kept.end(), std::uint8_t{1}));
+         result.r3 ==
+             static_cast<std::size_t>(std::count(result.kept.begin(), result.kept.end(), std::uint8_t{1}));
 }
 
 }  // namespace

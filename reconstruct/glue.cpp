@@ -16,9 +16,9 @@ using Tets = std::span<const std::array<std::uint32_t, 4>>;
 
 /// A facet by its number 4 * tetrahedron + slot.
 struct Facet {
-  Triple sorted;         ///< its vertices in increasing order
+  Triple sorted;  ///< its vertices in increasing order
   std::uint32_t number;
-  bool even;             ///< outward orientation is that of `sorted`
+  bool even;  ///< outward orientation is that of `sorted`
 };
 
 Triple outward(Tets tets, std::uint32_t facet) {
@@ -88,8 +88,8 @@ Boundary collect_boundary(Tets tets, const std::vector<std::uint32_t>& partner) 
   return boundary;
 }
 
-/// The boundary facet at the other end of the solid wedge at edge (a, b): from facet to facet around the edge,
-/// through the tetrahedra between them.
+/// The boundary facet at the other end of the solid wedge at edge (a, b): from facet to facet around the
+/// edge, through the tetrahedra between them.
 std::uint32_t across_wedge(Tets tets, const std::vector<std::uint32_t>& partner, std::uint32_t facet,
                            std::uint32_t a, std::uint32_t b) {
   for (;;) {
@@ -104,7 +104,8 @@ std::uint32_t across_wedge(Tets tets, const std::vector<std::uint32_t>& partner,
   }
 }
 
-/// Side i of triangle t runs from its corner i to corner (i + 1) % 3; its number is 3 * t + i, as that of corner i.
+/// Side i of triangle t runs from its corner i to corner (i + 1) % 3; its number is 3 * t + i, as that of
+/// corner i.
 std::uint32_t next_corner(std::uint32_t corner) { return corner % 3 == 2 ? corner - 2 : corner + 1; }
 
 /// mate[s] = the side paired with side s.
@@ -165,7 +166,8 @@ class Cutter {
   template <class Visit>
   static void for_shared(const std::vector<Side>& edges, Visit visit) {
     for (std::size_t first = 0, last = 0; first < edges.size(); first = last) {
-      while (last < edges.size() && edges[last].a == edges[first].a && edges[last].b == edges[first].b) ++last;
+      while (last < edges.size() && edges[last].a == edges[first].a && edges[last].b == edges[first].b)
+        ++last;
       if (last - first > 1) visit(first, last);
     }
   }
@@ -211,14 +213,15 @@ class Cutter {
     for (const Side& side : split) {
       const SurfaceVertex middle{side.a, side.b};
       if (surface_.vertices.back() == middle) ++surface_.copies;
-      midpoint_[side.number] = midpoint_[mate_[side.number]] = static_cast<std::uint32_t>(surface_.vertices.size());
+      midpoint_[side.number] = midpoint_[mate_[side.number]] =
+          static_cast<std::uint32_t>(surface_.vertices.size());
       surface_.vertices.push_back(middle);
     }
     surface_.split_edges = static_cast<std::uint32_t>(split.size());
   }
 
-  /// The triangle, or its pieces: ears at corners between two split sides, then a fan from a midpoint. Each new side
-  /// ends at a midpoint, which is of one wedge only: no piece meets another one by chance.
+  /// The triangle, or its pieces: ears at corners between two split sides, then a fan from a midpoint. Each
+  /// new side ends at a midpoint, which is of one wedge only: no piece meets another one by chance.
   void emit(std::uint32_t t) {
     std::array<std::uint32_t, 4> ring{};
     std::size_t size = 0;
@@ -252,7 +255,8 @@ class Cutter {
   GluedSurface surface_;
 };
 
-/// Pairs the sides; false unless each edge has exactly two, in opposite directions, between different vertices.
+/// Pairs the sides; false unless each edge has exactly two, in opposite directions, between different
+/// vertices.
 bool has_paired_sides(std::uint32_t vertex_count, std::span<const Triple> triangles,
                       std::vector<std::uint32_t>& mate) {
   std::vector<Side> sides;
@@ -268,7 +272,8 @@ bool has_paired_sides(std::uint32_t vertex_count, std::span<const Triple> triang
   for (std::size_t i = 0; i < sides.size(); i += 2) {
     const Side& p = sides[i];
     const Side& q = sides[i + 1];
-    if (p.a != q.a || p.b != q.b || triangles[p.number / 3][p.number % 3] == triangles[q.number / 3][q.number % 3]) {
+    if (p.a != q.a || p.b != q.b ||
+        triangles[p.number / 3][p.number % 3] == triangles[q.number / 3][q.number % 3]) {
       return false;
     }
     if (i > 0 && sides[i - 1].a == p.a && sides[i - 1].b == p.b) return false;

@@ -1,11 +1,12 @@
 #pragma once
 /// Gluing: the boundary of a set of tetrahedra as a closed oriented 2-manifold.
 ///
-/// Where the solid touches itself the surface is cut apart by index: the facets around a singular edge (four or
-/// more boundary facets) are paired through the solid wedge between them, and a vertex is copied once for each
-/// of its umbrellas, the cycles of triangles across paired edges. Two wedges may still share both ends; their
-/// edge is then split at a midpoint of its own for each wedge. The result is a 2-manifold by index for any set of
-/// tetrahedra; copies share coordinates. Umbrellas as in Gueziec, Taubin, Lazarus, Horn: Cutting and Stitching.
+/// Where the solid touches itself the surface is cut apart by index: the facets around a singular edge (four
+/// or more boundary facets) are paired through the solid wedge between them, and a vertex is copied once for
+/// each of its umbrellas, the cycles of triangles across paired edges. Two wedges may still share both ends;
+/// their edge is then split at a midpoint of its own for each wedge. The result is a 2-manifold by index for
+/// any set of tetrahedra; copies share coordinates. Umbrellas as in Gueziec, Taubin, Lazarus, Horn: Cutting
+/// and Stitching.
 
 #include <array>
 #include <cstdint>
@@ -37,14 +38,15 @@ struct GluedSurface {
 };
 
 /// Glues. Tetrahedra are given by input vertices a, b, c, d with det(b-a, c-a, d-a) > 0 and match by vertex
-/// triples; those without a partner are the boundary. The result depends on the set of tetrahedra only, not on
-/// their order nor on which even permutation of its vertices each is given by.
-/// Errors: internal, if three facets share a triple or two have the same side (overlapping tetrahedra), too_large
-/// beyond 2^30 tetrahedra. O(n log n), arrays only.
+/// triples; those without a partner are the boundary. The result depends on the set of tetrahedra only, not
+/// on their order nor on which even permutation of its vertices each is given by. Errors: internal, if three
+/// facets share a triple or two have the same side (overlapping tetrahedra), too_large beyond 2^30
+/// tetrahedra. O(n log n), arrays only.
 Result<GluedSurface> glue(std::span<const std::array<std::uint32_t, 4>> tets);
 
 /// True iff the triangles form a closed oriented 2-manifold on exactly the vertices 0..vertex_count-1: three
-/// different vertices each, every directed edge once and its reverse once, one cycle of triangles around each vertex.
+/// different vertices each, every directed edge once and its reverse once, one cycle of triangles around each
+/// vertex.
 bool verify_surface(std::uint32_t vertex_count, std::span<const std::array<std::uint32_t, 3>> triangles);
 
 }  // namespace crossloft
