@@ -1,16 +1,17 @@
 #pragma once
 /// The arrangement of planes inside an axis box: vertices, edges, faces and cells with all incidences.
 ///
-/// Exact and dual: a vertex is known by its planes, a cell by its sign vector. Nothing is in general position:
-/// parallel planes, pencils, many planes through one point and planes that miss the box are legal. All elements
-/// are convex; no vertex lies inside an edge, and three consecutive vertices of a face are never collinear.
+/// Exact and dual: a vertex is known by its planes, a cell by its sign vector. Nothing is in general
+/// position: parallel planes, pencils, many planes through one point and planes that miss the box are legal.
+/// All elements are convex; no vertex lies inside an edge, and three consecutive vertices of a face are never
+/// collinear.
 ///
-/// Planes are numbered 0..k-1 as given, then the six of the box: k + 2 axis is { x_axis = lower }, k + 2 axis + 1
-/// is { x_axis = upper }, both with the normal +e_axis. Sign vectors run over the k given planes only.
+/// Planes are numbered 0..k-1 as given, then the six of the box: k + 2 axis is { x_axis = lower }, k + 2 axis
+/// + 1 is { x_axis = upper }, both with the normal +e_axis. Sign vectors run over the k given planes only.
 ///
-/// Numbering is canonical: vertices by exact coordinates (compare_lex), edges by their ends, faces by their three
-/// lowest vertices, cells by their two lowest faces (two cells share at most one). It depends on the set of
-/// planes, not on their order or orientation. All lists are sorted ascending unless said otherwise.
+/// Numbering is canonical: vertices by exact coordinates (compare_lex), edges by their ends, faces by their
+/// three lowest vertices, cells by their two lowest faces (two cells share at most one). It depends on the
+/// set of planes, not on their order or orientation. All lists are sorted ascending unless said otherwise.
 
 #include <array>
 #include <cstdint>
@@ -111,8 +112,8 @@ class Arrangement {
   /// Words of each row.
   std::size_t words() const { return words_; }
 
-  /// The element with this sign vector that is not on the box: unique, since all points of one sign vector form
-  /// one convex set. The given rows must be those of a point inside the open box. O(words) expected.
+  /// The element with this sign vector that is not on the box: unique, since all points of one sign vector
+  /// form one convex set. The given rows must be those of a point inside the open box. O(words) expected.
   Location locate(SignView signs) const;
   /// The same for a point strictly inside the box, by its k side tests.
   Location locate(const LatticePoint& p) const;
@@ -160,8 +161,9 @@ class Arrangement {
 /// The arrangement of `planes` inside `box`. New points go to `store`, which must outlive the result.
 /// REQUIRES: planes distinct as point sets; box as said there.
 /// Errors: cancelled; too_large (more than 2^32 elements); internal (the requirements do not hold).
-/// Planes are inserted one by one in a canonical order. O(1) work a new cell on average, and one side test for
-/// every vertex and inserted plane: k planes in general position make O(k^3) elements in O(k^4) such tests.
+/// Planes are inserted one by one in a canonical order. O(1) work a new cell on average, and one side test
+/// for every vertex and inserted plane: k planes in general position make O(k^3) elements in O(k^4) such
+/// tests.
 Result<Arrangement> build_arrangement(std::span<const LatticePlane> planes, const LatticeBox& box,
                                       LatticePointStore& store, const Context& context = {});
 

@@ -1,9 +1,9 @@
 #pragma once
 /// Sign vectors: on which side of each of k planes something lies, as two rows of bits.
 ///
-/// Bit p % 64 of word p / 64 belongs to plane p. `pos` is set where the sign is +, `zero` where it is 0; never
-/// both. Bits from k on are 0. A point, and every open element of an arrangement (vertex, edge, face, cell),
-/// has one sign vector; the zero row is its tag, the set of planes that contain it.
+/// Bit p % 64 of word p / 64 belongs to plane p. `pos` is set where the sign is +, `zero` where it is 0;
+/// never both. Bits from k on are 0. A point, and every open element of an arrangement (vertex, edge, face,
+/// cell), has one sign vector; the zero row is its tag, the set of planes that contain it.
 
 #include <cstddef>
 #include <cstdint>
@@ -35,8 +35,8 @@ inline int sign_at(SignView v, PlaneId plane) {
   return has_bit(v.zero, plane) ? 0 : has_bit(v.pos, plane) ? 1 : -1;
 }
 
-/// True iff what has the signs `low` may lie in the closure of what has the signs `high`: every sign of `low` is
-/// 0 or that of `high`. Within a box whose planes are not among the k, this is incidence with a cell.
+/// True iff what has the signs `low` may lie in the closure of what has the signs `high`: every sign of `low`
+/// is 0 or that of `high`. Within a box whose planes are not among the k, this is incidence with a cell.
 /// O(words), no branches inside.
 inline bool in_closure(SignView low, SignView high) {
   SignWord differs = 0;
