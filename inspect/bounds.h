@@ -20,7 +20,7 @@ struct Bounds {
     low = {p.x < low.x ? p.x : low.x, p.y < low.y ? p.y : low.y, p.z < low.z ? p.z : low.z};
     high = {p.x > high.x ? p.x : high.x, p.y > high.y ? p.y : high.y, p.z > high.z ? p.z : high.z};
   }
-  void add(const Bounds& b) {
+  void join(const Bounds& b) {
     if (!b.empty()) {
       add(b.low);
       add(b.high);

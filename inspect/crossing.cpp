@@ -1,0 +1,103 @@
+#include "crossing.h"
+
+#include <algorithm>
+
+#include "exact_orient3d.h"
+
+namespace crossloft {
+namespace {
+
+using Signs = std::array<int, 3>;
+
+constexpr int next(int k) { return k == 2 ? 0 : k + 1; }
+
+/// Side of the triangle's plane; equal corners are the frequent zero and need no arithmetic.
+int side(const Corners& t, const Vec3& p) {
+  return p == t[0] || p == t[1] || p == t[2] ? 0 : exact_orient3d(t[0], t[1], t[2], p);
+}
+
+/// On which side of each edge of t the line pq passes; the same three signs mean through the interior.
+Signs line_sides(const Vec3& p, const Vec3& q, const Corners& t) {
+  Signs s{};
+  for (int k = 0; k < 3; ++k) {
+    const Vec3 &a = t[k], &b = t[next(k)];
+    s[k] = p == a || p == b || q == a || q == b ? 0 : exact_orient3d(p, q, a, b);
+  }
+  return s;
+}
+
+bool all_equal(const Signs& s, int sign) { return s[0] == sign && s[1] == sign && s[2] == sign; }
+bool one_sided(const Signs& s) { return s[0] != 0 && all_equal(s, s[0]); }
+
+bool through_interior(const Vec3& p, const Vec3& q, const Corners& t) {
+  return one_sided(line_sides(p, q, t));
+}
+
+/// An edge of `a`, whose corners have the sides `s` of t's plane, passes through t's interior.
+bool edge_pierces(const Corners& a, const Signs& s, const Corners& t) {
+  for (int k = 0; k < 3; ++k)
+    if (s[k] * s[next(k)] < 0 && through_interior(a[k], a[next(k)], t)) return true;
+  return false;
+}
+
+double with_gap(double x, double extent) {
+  const double y = x + (x < 0 ? -x : x) + extent;
+  return y == x ? 1.0 : y;
+}
+
+/// A point off the triangle's plane into `apex`; false if the corners are collinear. Moving a corner along an
+/// axis leaves the plane unless the normal is orthogonal to the axis, and it can't be so to all three.
+bool off_plane_point(const Corners& t, Vec3& apex) {
+  const Vec3 d = t[1] - t[0], e = t[2] - t[0];
+  const double extent = norm(d) + norm(e);
+  const Vec3& a = t[0];
+  for (const Vec3& moved : {Vec3{with_gap(a.x, extent), a.y, a.z}, Vec3{a.x, with_gap(a.y, extent), a.z},
+                            Vec3{a.x, a.y, with_gap(a.z, extent)}}) {
+    apex = moved;
+    if (exact_orient3d(t[0], t[1], t[2], moved) != 0) return true;
+  }
+  return false;
+}
+
+/// Some edge of a, counter-clockwise by `turn` seen from `apex`, has all of b on its outer side or on itself.
+bool edge_separates(const Corners& a, const Corners& b, const Vec3& apex, int turn) {
+  for (int k = 0; k < 3; ++k) {
+    const auto inside = [&](const Vec3& p) { return exact_orient3d(a[k], a[next(k)], p, apex) * turn > 0; };
+    if (!inside(b[0]) && !inside(b[1]) && !inside(b[2])) return true;
+  }
+  return false;
+}
+
+/// Open convex polygons are disjoint iff an edge of one separates them.
+bool coplanar_overlap(const Corners& a, const Corners& b) {
+  Vec3 apex;
+  if (!off_plane_point(a, apex)) return false;
+  const int turn_a = exact_orient3d(a[0], a[1], a[2], apex), turn_b = exact_orient3d(b[0], b[1], b[2], apex);
+  return turn_b != 0 && !edge_separates(a, b, apex, turn_a) && !edge_separates(b, a, apex, turn_b);
+}
+
+}  // namespace
+
+Meeting meeting(const Corners& a, const Corners& b) {
+  const Signs b_side{side(a, b[0]), side(a, b[1]), side(a, b[2])};
+  if (one_sided(b_side)) return Meeting::none;
+  if (all_equal(b_side, 0) && coplanar_overlap(a, b)) return Meeting::overlap;
+  const Signs a_side{side(b, a[0]), side(b, a[1]), side(b, a[2])};
+  return edge_pierces(b, b_side, a) || edge_pierces(a, a_side, b) ? Meeting::crossing : Meeting::none;
+}
+
+Piercing piercing(const Vec3& p, const Vec3& q, const Corners& t) {
+  const int product = side(t, p) * side(t, q);
+  if (product > 0) return Piercing::misses;
+  const Signs s = line_sides(p, q, t);
+  const auto [low, high] = std::minmax({s[0], s[1], s[2]});
+  if (low < 0 && high > 0) return Piercing::misses;
+  return product < 0 && low == high ? Piercing::pierces : Piercing::touches;
+}
+
+bool collinear(const Corners& t) {
+  Vec3 apex;
+  return !off_plane_point(t, apex);
+}
+
+}  // namespace crossloft

@@ -1,0 +1,32 @@
+#pragma once
+/// How two triangles meet, decided exactly on their double coordinates.
+
+#include <array>
+#include <cstdint>
+
+#include "../geom/vec3.h"
+
+namespace crossloft {
+
+using Corners = std::array<Vec3, 3>;
+
+enum class Meeting : std::uint8_t {
+  none,      ///< apart or touching
+  crossing,  ///< an edge of one passes transversally through the interior of the other
+  overlap,   ///< coplanar with common interior points
+};
+
+/// How a segment meets a triangle.
+enum class Piercing : std::uint8_t {
+  misses,
+  pierces,  ///< ends strictly on both sides, through the interior
+  touches,  ///< anything else that has a common point, or both in one plane
+};
+
+/// Symmetric. Degenerate triangles have no interior: they can pierce and can't be pierced.
+Meeting meeting(const Corners& a, const Corners& b);
+Piercing piercing(const Vec3& p, const Vec3& q, const Corners& triangle);
+/// All corners exactly on one line.
+bool collinear(const Corners& triangle);
+
+}  // namespace crossloft
