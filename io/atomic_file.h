@@ -34,7 +34,6 @@ class AtomicFile {
 
  private:
   AtomicFile() = default;
-  Error write_error(const std::string& what) const;
   void discard();
 
   std::FILE* file_ = nullptr;

@@ -1,0 +1,135 @@
+#include "atomic_file.h"
+
+#include <cerrno>
+#include <filesystem>
+#include <memory>
+#include <system_error>
+#include <utility>
+
+namespace crossloft {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string reason(int error) { return std::error_code(error, std::generic_category()).message(); }
+
+Error not_readable(const std::string& path, const std::string& why) {
+  return {.code = ErrorCode::file_not_readable, .message = "cannot be read: " + why, .file = path};
+}
+
+Error not_writable(const std::string& path, const std::string& why) {
+  return {.code = ErrorCode::file_not_writable, .message = "cannot be written: " + why, .file = path};
+}
+
+struct CloseFile {
+  void operator()(std::FILE* file) const { std::fclose(file); }
+};
+using File = std::unique_ptr<std::FILE, CloseFile>;
+
+/// The file that a write to `path` would reach. A link that leads nowhere is left to fopen.
+std::string resolve(const std::string& path) {
+  std::error_code ignored;
+  const fs::path real = fs::canonical(path, ignored);
+  return ignored ? path : real.string();
+}
+
+/// Creates a file that was not there. `name` becomes the first free ".NAME.N.tmp" beside `target`; exclusive
+/// creation keeps concurrent writers apart.
+std::FILE* create_beside(const std::string& target, std::string& name) {
+  constexpr int kMostTemporaries = 1000;
+  const fs::path path(target);
+  for (int i = 0; i < kMostTemporaries; ++i) {
+    name = (path.parent_path() / ("." + path.filename().string() + "." + std::to_string(i) + ".tmp")).string();
+    errno = 0;
+    std::FILE* file = std::fopen(name.c_str(), "wbx");
+    if (file != nullptr || errno != EEXIST) return file;
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+Result<std::string> read_file(const std::string& path) {
+  std::error_code ignored;
+  if (fs::is_directory(path, ignored)) return not_readable(path, "it is a directory");
+  errno = 0;
+  const File file(std::fopen(path.c_str(), "rb"));
+  if (file == nullptr) return not_readable(path, reason(errno));
+
+  std::string bytes;
+  const auto size = fs::file_size(path, ignored);
+  if (!ignored) bytes.reserve(static_cast<std::size_t>(size));
+  char buffer[1 << 16];
+  for (std::size_t n = 0; (n = std::fread(buffer, 1, sizeof buffer, file.get())) != 0;) bytes.append(buffer, n);
+  if (std::ferror(file.get()) != 0) return not_readable(path, reason(errno));
+  return bytes;
+}
+
+Result<AtomicFile> AtomicFile::create(const std::string& path) {
+  AtomicFile out;
+  out.path_ = path;
+  out.target_ = resolve(path);
+  std::error_code ignored;
+  const fs::file_status status = fs::status(out.target_, ignored);
+  if (fs::is_directory(status)) return not_writable(path, "it is a directory");
+
+  errno = 0;
+  if (fs::is_regular_file(status)) {
+    // Renaming would replace a target that its owner has made read-only: ask first.
+    const File probe(std::fopen(out.target_.c_str(), "r+b"));
+    if (probe == nullptr) return not_writable(path, reason(errno));
+  }
+  if (fs::exists(status) && !fs::is_regular_file(status)) {
+    out.file_ = std::fopen(out.target_.c_str(), "wb");
+  } else {
+    out.file_ = create_beside(out.target_, out.temporary_);
+    if (out.file_ == nullptr) out.temporary_.clear();
+  }
+  if (out.file_ == nullptr) return not_writable(path, reason(errno));
+  if (fs::is_regular_file(status)) fs::permissions(out.temporary_, status.permissions(), ignored);
+  return out;
+}
+
+AtomicFile::AtomicFile(AtomicFile&& other) noexcept
+    : file_(std::exchange(other.file_, nullptr)),
+      path_(std::move(other.path_)),
+      target_(std::move(other.target_)),
+      temporary_(std::exchange(other.temporary_, {})),
+      error_(other.error_) {}
+
+AtomicFile::~AtomicFile() { discard(); }
+
+void AtomicFile::discard() {
+  if (file_ != nullptr) std::fclose(std::exchange(file_, nullptr));
+  if (!temporary_.empty()) std::remove(temporary_.c_str());
+  temporary_.clear();
+}
+
+void AtomicFile::append(std::string_view bytes) {
+  if (failed() || bytes.empty()) return;
+  errno = 0;
+  if (std::fwrite(bytes.data(), 1, bytes.size(), file_) != bytes.size()) error_ = errno != 0 ? errno : EIO;
+}
+
+Result<Done> AtomicFile::commit() {
+  errno = 0;
+  // Buffered bytes may meet a full disk only here.
+  if (std::fclose(std::exchange(file_, nullptr)) != 0 && !failed()) error_ = errno != 0 ? errno : EIO;
+  std::error_code renamed;
+  if (!failed() && !temporary_.empty()) fs::rename(temporary_, target_, renamed);
+  if (!failed() && !renamed) {
+    temporary_.clear();
+    return Done{};
+  }
+  discard();
+  return not_writable(path_, failed() ? reason(error_) : renamed.message());
+}
+
+Result<Done> write_file(const std::string& path, std::string_view bytes) {
+  Result<AtomicFile> file = AtomicFile::create(path);
+  if (!file.ok()) return file.error();
+  file->append(bytes);
+  return file->commit();
+}
+
+}  // namespace crossloft
