@@ -28,6 +28,8 @@ class AtomicFile {
   /// Adds bytes at the end. A failed write is remembered and reported by commit().
   void append(std::string_view bytes);
   bool failed() const { return error_ != 0; }
+  /// The target, as the user named it.
+  const std::string& path() const { return path_; }
 
   /// Completes the file. Errors: file_not_writable (disk full, no permission); nothing is left behind then.
   Result<Done> commit();

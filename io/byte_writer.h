@@ -63,7 +63,7 @@ class ByteWriter {
 
   /// Errors: file_not_writable, cancelled; the target is then as it was.
   Result<Done> finish() {
-    if (cancelled_) return Error{.code = ErrorCode::cancelled, .message = "writing was cancelled"};
+    if (cancelled_) return Error{.code = ErrorCode::cancelled, .message = "writing was cancelled", .file = file_.path()};
     file_.append(buffer_);
     return file_.commit();
   }

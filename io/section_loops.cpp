@@ -191,6 +191,7 @@ Result<std::vector<SectionLoop>> section_loops(const PlaneSection& plane) {
   if (const ContourEdge* wall = tracer.open_wall()) {
     return Error{.code = ErrorCode::open_chain,
                  .message = "the contour does not close",
+                 .file = {},
                  .line = wall->line,
                  .contour = wall->contour};
   }
