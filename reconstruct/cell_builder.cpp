@@ -1,0 +1,162 @@
+#include "cell_builder.h"
+
+#include <chrono>
+
+#include "../delaunay/delaunay3.h"
+#include "../delaunay/lattice_predicates.h"
+#include "grounded_table.h"
+
+namespace crossloft {
+
+bool CellPredicates::collinear(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
+  int shared = 0;
+  for (std::uint32_t w = 0; w < words_; ++w)
+    shared += __builtin_popcountll(mask(a, w) & mask(b, w) & mask(c, w));
+  return shared >= 2 || crossloft::collinear(points_[a], points_[b], points_[c]);
+}
+
+namespace {
+
+class CellBuilder {
+ public:
+  CellBuilder(std::span<const CellFace> faces, std::span<const LatticePoint> points, const LineEdges& line_edges,
+              std::span<const std::uint32_t> graph_vertex_of)
+      : faces_(faces), points_(points), line_edges_(line_edges), graph_vertex_of_(graph_vertex_of) {}
+  Result<BuiltCell> run();
+
+ private:
+  void collect_vertices();
+  bool has_solid() const;
+  GroundedTable fill_table() const;
+  bool classify(GroundedTable& table);
+  std::uint32_t local(std::uint32_t number) const {
+    const auto& v = cell_.vertices;
+    return static_cast<std::uint32_t>(std::lower_bound(v.begin(), v.end(), number) - v.begin());
+  }
+  /// Number of faces that all the given local vertices share, at most 2.
+  template <class... V>
+  int shared_faces(V... v) const {
+    int count = 0;
+    for (std::uint32_t w = 0; w < cell_.complex.words; ++w)
+      count += __builtin_popcountll((cell_.complex.faces_of(v)[w] & ...));
+    return count;
+  }
+  EdgeKind edge_kind(std::uint32_t a, std::uint32_t b, GroundedTable& table) const;
+
+  std::span<const CellFace> faces_;
+  std::span<const LatticePoint> points_;
+  const LineEdges& line_edges_;
+  std::span<const std::uint32_t> graph_vertex_of_;
+  BuiltCell cell_;
+  std::vector<std::uint32_t> triangle_base_;  ///< by face: number of its first triangle in the cell
+};
+
+void CellBuilder::collect_vertices() {
+  auto& v = cell_.vertices;
+  for (const CellFace& face : faces_) v.insert(v.end(), face.numbers.begin(), face.numbers.end());
+  std::sort(v.begin(), v.end());
+  v.erase(std::unique(v.begin(), v.end()), v.end());
+  CellComplex& complex = cell_.complex;
+  complex.vertex_count = static_cast<std::uint32_t>(v.size());
+  complex.words = static_cast<std::uint32_t>((faces_.size() + 63) / 64);
+  complex.face_masks.assign(v.size() * complex.words, 0);
+  for (std::size_t f = 0; f < faces_.size(); ++f)
+    for (const std::uint32_t number : faces_[f].numbers)
+      complex.face_masks[std::size_t{local(number)} * complex.words + f / 64] |= std::uint64_t{1} << (f % 64);
+}
+
+/// False if no tetrahedron can be kept: without an internal triangle nothing is solid.
+bool CellBuilder::has_solid() const {
+  return std::any_of(faces_.begin(), faces_.end(), [](const CellFace& face) {
+    const auto& internal = face.triangulation->internal;
+    return std::find(internal.begin(), internal.end(), 1) != internal.end();
+  });
+}
+
+/// Triangles as numbers in the cell; edges as their kind.
+GroundedTable CellBuilder::fill_table() const {
+  std::size_t count = 0;
+  for (const CellFace& face : faces_) count += face.triangulation->triangles.size() + face.triangulation->edges.size();
+  GroundedTable table(count);
+  for (std::size_t f = 0; f < faces_.size(); ++f) {
+    const FaceTriangulation& face = *faces_[f].triangulation;
+    const auto number = [&](std::uint32_t v) { return local(faces_[f].numbers[v]); };
+    for (std::uint32_t t = 0; t < face.triangles.size(); ++t) {
+      const auto& v = face.triangles[t];
+      table.insert({number(v[0]), number(v[1]), number(v[2])}, triangle_base_[f] + t);
+    }
+    for (const FaceEdge& e : face.edges)
+      table.insert({number(e.a), number(e.b), kNone}, static_cast<std::uint32_t>(e.kind));
+  }
+  return table;
+}
+
+EdgeKind CellBuilder::edge_kind(std::uint32_t a, std::uint32_t b, GroundedTable& table) const {
+  const int shared = shared_faces(a, b);
+  if (shared == 0) return EdgeKind::free;
+  if (const std::uint32_t kind = table.find({a, b, kNone}); kind != kNone) return static_cast<EdgeKind>(kind);
+  // Only a face whose vertices span no area has an edge outside its triangulation.
+  return shared >= 2 ? line_edges_.kind(graph_vertex_of_[cell_.vertices[a]], graph_vertex_of_[cell_.vertices[b]])
+                     : EdgeKind::external;
+}
+
+/// False if the hull facets on the faces are not the faces' triangles.
+bool CellBuilder::classify(GroundedTable& table) {
+  CellComplex& complex = cell_.complex;
+  const std::uint32_t triangles = triangle_base_.back();
+  std::uint32_t grounded = 0;
+  for (std::uint32_t t = 0; t < complex.mesh.size(); ++t) {
+    const auto& v = complex.mesh.vertices[t];
+    std::array<GroundTriangle, 4> ground;
+    std::array<FacetKind, 4> kinds{};
+    for (std::size_t i = 0; i < 4; ++i) {
+      ground[i].face = kNone;
+      const auto& s = kFacetSlots[i];
+      if (complex.mesh.neighbours[t][i] != kNone || shared_faces(v[s[0]], v[s[1]], v[s[2]]) == 0) continue;
+      const std::uint32_t number = table.find({v[s[0]], v[s[1]], v[s[2]]});
+      if (number == kNone) return false;
+      ++grounded;
+      const auto above = std::upper_bound(triangle_base_.begin(), triangle_base_.end(), number);
+      const auto face = static_cast<std::uint32_t>(above - triangle_base_.begin() - 1);
+      const std::uint32_t triangle = number - triangle_base_[face];
+      const bool inside = faces_[face].triangulation->internal[triangle] != 0;
+      kinds[i] = inside ? FacetKind::internal : FacetKind::external;
+      if (inside) ground[i] = {face, triangle};
+    }
+    complex.facets.push_back(kinds);
+    cell_.ground.push_back(ground);
+    std::array<EdgeKind, 6> edges;
+    for (std::size_t e = 0; e < 6; ++e) edges[e] = edge_kind(v[kEdgeSlots[e][0]], v[kEdgeSlots[e][1]], table);
+    complex.edges.push_back(edges);
+  }
+  return grounded == triangles;
+}
+
+Result<BuiltCell> CellBuilder::run() {
+  if (!has_solid()) return std::move(cell_);
+  collect_vertices();
+  triangle_base_.push_back(0);
+  for (const CellFace& face : faces_)
+    triangle_base_.push_back(triangle_base_.back() + static_cast<std::uint32_t>(face.triangulation->triangles.size()));
+  std::vector<LatticePoint> points;
+  for (const std::uint32_t number : cell_.vertices) points.push_back(points_[number]);
+  const auto begin = std::chrono::steady_clock::now();
+  const CellPredicates predicates(points, cell_.complex.face_masks, cell_.complex.words);
+  Delaunay3 triangulation(predicates);
+  triangulation.build();
+  if (triangulation.dimension() < 3) return std::move(cell_);
+  cell_.complex.mesh = triangulation.tet_mesh();
+  cell_.delaunay_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  GroundedTable table = fill_table();
+  if (!classify(table)) return make_error(ErrorCode::internal, "a cell's hull differs from its face triangulations");
+  return std::move(cell_);
+}
+
+}  // namespace
+
+Result<BuiltCell> build_cell(std::span<const CellFace> faces, std::span<const LatticePoint> points,
+                             const LineEdges& line_edges, std::span<const std::uint32_t> graph_vertex_of) {
+  return CellBuilder(faces, points, line_edges, graph_vertex_of).run();
+}
+
+}  // namespace crossloft

@@ -1,0 +1,32 @@
+#pragma once
+/// Splitting a contour edge of a face at a lattice point, for conforming edge recovery.
+
+#include <span>
+#include <vector>
+
+#include "../arrangement/section_graph.h"
+#include "../delaunay/conform.h"
+
+namespace crossloft {
+
+/// Makes lattice points near contour edges: on the edge or on its outer side (one on the inner side would make an
+/// external sliver of the section), strictly inside the face, with no other vertex between it and the edge.
+class FaceSplitter {
+ public:
+  /// `points` grows by the splits; `walls` are the segments in the order given to conform().
+  FaceSplitter(const SectionGraph& graph, const Arrangement& arrangement, FaceId face, std::uint32_t plane,
+               std::span<const Wall> walls, std::vector<LatticePoint>& points);
+
+  std::uint32_t operator()(const SplitRequest& request);
+
+ private:
+  bool inside_face(const LatticePoint& p) const;
+  bool sweeps_nothing(std::uint32_t a, std::uint32_t b, const LatticePoint& c) const;
+
+  LatticePlane plane_;
+  std::vector<std::pair<LatticePlane, int>> sides_;  ///< planes that bound the face, and its side of each
+  std::span<const Wall> walls_;
+  std::vector<LatticePoint>* points_;
+};
+
+}  // namespace crossloft

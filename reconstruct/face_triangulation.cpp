@@ -1,0 +1,246 @@
+#include "face_triangulation.h"
+
+#include <algorithm>
+#include <bit>
+
+#include "../arrangement/section_steps.h"
+#include "../delaunay/conform.h"
+#include "../delaunay/lattice_predicates.h"
+#include "face_split.h"
+
+namespace crossloft {
+
+std::vector<FaceInput> face_inputs(const SectionGraph& graph, const Arrangement& arrangement) {
+  std::vector<FaceInput> inputs(arrangement.face_count());
+  for (std::uint32_t f = 0; f < inputs.size(); ++f) inputs[f].face = FaceId{f};
+  for (std::uint32_t v = 0; v < graph.size(); ++v) {  // ascending, so the lists are too
+    const Location at = graph.locations[v];
+    const auto add = [&](FaceId f) {
+      if (!arrangement.on_box(f)) inputs[f.value].vertices.push_back(v);
+    };
+    if (at.dimension == 2) add(FaceId{at.index});
+    if (at.dimension == 1) std::ranges::for_each(arrangement.faces_around(ArrEdgeId{at.index}), add);
+    if (at.dimension == 0) std::ranges::for_each(arrangement.faces_around(ArrVertexId{at.index}), add);
+  }
+  for (std::uint32_t p = 0; p < graph.planes.size(); ++p)
+    for (const Wall& wall : graph.walls[p]) {
+      const Location at = section_steps::wall_location(graph, arrangement, wall);
+      if (at.dimension == 2) inputs[at.index].walls.push_back(wall);
+      if (at.dimension == 1)
+        for (const FaceId f : arrangement.faces_around(ArrEdgeId{at.index}))
+          if (arrangement.plane_of(f).value == p) inputs[f.value].border.push_back(wall);
+    }
+  return inputs;
+}
+
+namespace {
+
+/// Looks up walls by their ends, in either direction.
+class WallTable {
+ public:
+  void add(const Wall& wall) { walls_.push_back(wall.a < wall.b ? wall : reversed(wall)); }
+  void finish() { std::sort(walls_.begin(), walls_.end(), before); }
+  const Wall* find(std::uint32_t a, std::uint32_t b) const {
+    Wall key;
+    key.a = std::min(a, b), key.b = std::max(a, b);
+    const auto it = std::lower_bound(walls_.begin(), walls_.end(), key, before);
+    return it != walls_.end() && it->a == key.a && it->b == key.b ? &*it : nullptr;
+  }
+  /// Whether the section is on the left of the directed edge; REQUIRES find(a, b).
+  static bool inside_left(const Wall& wall, std::uint32_t from) { return wall.inside_left == (wall.a == from); }
+
+ private:
+  static Wall reversed(Wall wall) {
+    std::swap(wall.a, wall.b);
+    wall.inside_left = !wall.inside_left;
+    return wall;
+  }
+  static bool before(const Wall& x, const Wall& y) { return x.a != y.a ? x.a < y.a : x.b < y.b; }
+  std::vector<Wall> walls_;
+};
+
+/// The work of one face; local numbers throughout.
+class FaceBuilder {
+ public:
+  FaceBuilder(const SectionGraph& graph, const Arrangement& arrangement, const SectionLocator& locator,
+              const FaceInput& input)
+      : graph_(graph), arrangement_(arrangement), locator_(locator), input_(input) {
+    result_.face = input.face;
+    result_.plane = arrangement.plane_of(input.face).value;
+    result_.vertices = input.vertices;
+    for (const std::uint32_t v : input.vertices) points_.push_back(graph.points[v]);
+  }
+  Result<FaceTriangulation> run();
+
+ private:
+  Wall local(Wall wall) const {
+    const auto index = [&](std::uint32_t v) {
+      const auto it = std::lower_bound(input_.vertices.begin(), input_.vertices.end(), v);
+      return static_cast<std::uint32_t>(it - input_.vertices.begin());
+    };
+    wall.a = index(wall.a), wall.b = index(wall.b);
+    return wall;
+  }
+  Result<Done> conform_to_walls(Delaunay2<LatticePredicates2>& tri);
+  Result<Done> label();
+  bool seed(std::uint32_t triangle) const;
+  void collect_edges();
+
+  const SectionGraph& graph_;
+  const Arrangement& arrangement_;
+  const SectionLocator& locator_;
+  const FaceInput& input_;
+  std::vector<LatticePoint> points_;
+  FaceTriangulation result_;
+  TriMesh mesh_;
+  WallTable table_;
+};
+
+Result<Done> FaceBuilder::conform_to_walls(Delaunay2<LatticePredicates2>& tri) {
+  std::vector<Wall> walls;
+  std::vector<std::array<std::uint32_t, 2>> segments;
+  for (const Wall& wall : input_.walls) {
+    walls.push_back(local(wall));
+    segments.push_back({walls.back().a, walls.back().b});
+  }
+  FaceSplitter splitter(graph_, arrangement_, input_.face, result_.plane, walls, points_);
+  const auto limit = static_cast<std::uint32_t>(4096 + 64 * walls.size());
+  const ConformResult conformed = conform(tri, segments, splitter, limit);
+  for (std::uint32_t s = 0; s < segments.size(); ++s) {
+    Wall piece = walls[conformed.source[s]];
+    piece.a = segments[s][0], piece.b = segments[s][1];
+    result_.walls.push_back(piece);
+    table_.add(piece);
+  }
+  if (!conformed.failed.empty()) {
+    const Wall& wall = result_.walls[conformed.failed[0]];
+    return Error{ErrorCode::internal,
+                 conformed.limit_reached ? "a contour edge needs too many splits to become a Delaunay edge"
+                                         : "a contour edge could not be made a Delaunay edge",
+                 {}, wall.line, wall.source_plane, wall.contour};
+  }
+  result_.splits.assign(points_.begin() + static_cast<std::ptrdiff_t>(input_.vertices.size()), points_.end());
+  return Done{};
+}
+
+/// Inside or not, for a triangle without a wall: its region has none, so its edges run through the open section or
+/// outside it.
+bool FaceBuilder::seed(std::uint32_t triangle) const {
+  const auto& v = mesh_.vertices[triangle];
+  return locator_.inside_toward(points_[v[0]], points_[v[1]]);
+}
+
+/// Floods inside and outside from the walls; contradictions are a defect of the walls' orientation.
+Result<Done> FaceBuilder::label() {
+  constexpr std::uint8_t kUnknown = 2;
+  result_.internal.assign(mesh_.size(), kUnknown);
+  std::vector<std::uint32_t> stack;
+  bool contradiction = false;
+  const auto mark = [&](std::uint32_t t, bool inside) {
+    if (result_.internal[t] == kUnknown) {
+      result_.internal[t] = inside;
+      stack.push_back(t);
+    } else if (result_.internal[t] != static_cast<std::uint8_t>(inside)) {
+      contradiction = true;
+    }
+  };
+  const auto edge_wall = [&](std::uint32_t t, std::uint32_t i) {
+    const auto& v = mesh_.vertices[t];
+    return table_.find(v[(i + 1) % 3], v[(i + 2) % 3]);
+  };
+  const auto flood = [&] {
+    while (!stack.empty()) {
+      const std::uint32_t t = stack.back();
+      stack.pop_back();
+      for (std::uint32_t i = 0; i < 3; ++i)
+        if (const std::uint32_t n = mesh_.neighbours[t][i]; n != kNone && !edge_wall(t, i))
+          mark(n, result_.internal[t] != 0);
+    }
+  };
+  for (std::uint32_t t = 0; t < mesh_.size(); ++t)
+    for (std::uint32_t i = 0; i < 3; ++i)
+      if (const Wall* wall = edge_wall(t, i))
+        mark(t, WallTable::inside_left(*wall, mesh_.vertices[t][(i + 1) % 3]));
+  flood();
+  for (std::uint32_t t = 0; t < mesh_.size(); ++t)
+    if (result_.internal[t] == kUnknown) {
+      mark(t, seed(t));
+      flood();
+    }
+  if (contradiction) return make_error(ErrorCode::internal, "the contours of a face contradict each other");
+  return Done{};
+}
+
+void FaceBuilder::collect_edges() {
+  for (std::uint32_t t = 0; t < mesh_.size(); ++t)
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      if (const std::uint32_t n = mesh_.neighbours[t][i]; n != kNone && n < t) continue;
+      const std::uint32_t a = mesh_.vertices[t][(i + 1) % 3], b = mesh_.vertices[t][(i + 2) % 3];
+      const EdgeKind kind = table_.find(a, b)           ? EdgeKind::contour
+                            : result_.internal[t] != 0 ? EdgeKind::internal
+                                                        : EdgeKind::external;
+      result_.edges.push_back({std::min(a, b), std::max(a, b), kind});
+    }
+}
+
+Result<FaceTriangulation> FaceBuilder::run() {
+  for (const Wall& wall : input_.border) table_.add(local(wall));
+  LatticePredicates2 predicates(graph_.planes[result_.plane], points_);
+  Delaunay2 tri(predicates);
+  tri.build();
+  if (auto done = conform_to_walls(tri); !done) return done.error();
+  if (tri.dimension() < 2) return std::move(result_);
+  table_.finish();
+  mesh_ = tri.tri_mesh();
+  if (auto done = label(); !done) return done.error();
+  collect_edges();
+  result_.triangles = std::move(mesh_.vertices);
+  for (auto& side : result_.covered) side.assign(result_.triangles.size(), 0);
+  return std::move(result_);
+}
+
+}  // namespace
+
+Result<FaceTriangulation> triangulate_face(const SectionGraph& graph, const Arrangement& arrangement,
+                                           const SectionLocator& locator, const FaceInput& input) {
+  return FaceBuilder(graph, arrangement, locator, input).run();
+}
+
+std::uint32_t LineEdges::shared_planes(std::uint32_t u, std::uint32_t v) const {
+  std::uint32_t count = 0;
+  for (std::uint32_t w = 0; w < graph_->words; ++w)
+    count += static_cast<std::uint32_t>(std::popcount(graph_->zero_of(u)[w] & graph_->zero_of(v)[w]));
+  return count;
+}
+
+void LineEdges::add(const FaceTriangulation& face) {
+  const auto count = static_cast<std::uint32_t>(face.vertices.size());
+  for (std::size_t t = 0; t < face.triangles.size(); ++t)
+    for (std::size_t i = 0; i < 3 && face.internal[t] != 0; ++i) {
+      const std::uint32_t a = face.triangles[t][i], b = face.triangles[t][(i + 1) % 3];
+      if (a >= count || b >= count) continue;  // splits are on no line
+      const std::uint32_t u = face.vertices[a], v = face.vertices[b];
+      if (on_line(u, v)) inside_.push_back({std::min(u, v), std::max(u, v), face.plane});
+    }
+}
+
+void LineEdges::finish() {
+  std::sort(inside_.begin(), inside_.end());
+  inside_.erase(std::unique(inside_.begin(), inside_.end()), inside_.end());
+  for (const auto& walls : graph_->walls)
+    for (const Wall& wall : walls)
+      if (on_line(wall.a, wall.b)) contour_.push_back({wall.a, wall.b});
+  std::sort(contour_.begin(), contour_.end());
+}
+
+EdgeKind LineEdges::kind(std::uint32_t u, std::uint32_t v) const {
+  if (u > v) std::swap(u, v);
+  const auto begin = std::lower_bound(inside_.begin(), inside_.end(), Entry{u, v, 0});
+  std::uint32_t planes = 0;
+  for (auto it = begin; it != inside_.end() && it->u == u && it->v == v; ++it) ++planes;
+  if (planes < shared_planes(u, v)) return EdgeKind::external;
+  return std::binary_search(contour_.begin(), contour_.end(), std::array{u, v}) ? EdgeKind::contour
+                                                                                : EdgeKind::internal;
+}
+
+}  // namespace crossloft

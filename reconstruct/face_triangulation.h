@@ -1,0 +1,75 @@
+#pragma once
+/// One face of the arrangement: the planar Delaunay triangulation of its section vertices, conforming to the
+/// contours and told into inside and outside. Its triangles are the hull facets, on this face, of the cells on both
+/// sides (DESIGN: all vertices of a cell lie on its boundary).
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "../arrangement/section_graph.h"
+#include "../prune/cell_complex.h"
+
+namespace crossloft {
+
+/// An edge of the triangulation, local vertices a < b.
+struct FaceEdge {
+  std::uint32_t a = 0, b = 0;
+  EdgeKind kind = EdgeKind::free;
+};
+
+struct FaceTriangulation {
+  FaceId face;
+  std::uint32_t plane = 0;
+  std::vector<std::uint32_t> vertices;  ///< of the section graph, ascending: local 0..vertices.size()-1,
+  std::vector<LatticePoint> splits;     ///< then the points added, explicit and strictly inside the face
+  std::vector<std::array<std::uint32_t, 3>> triangles;  ///< local, counter-clockwise from the positive side
+  std::vector<std::uint8_t> internal;                   ///< by triangle: 1 inside the section
+  std::vector<FaceEdge> edges;  ///< of the triangles; those on lines get their kind from LineEdges
+  std::vector<Wall> walls;      ///< contour pieces inside the face, local ends
+  std::array<std::vector<std::uint8_t>, 2> covered;  ///< by triangle: 1 if a kept tetrahedron of the cell on the
+                                                     ///< negative / positive side stands on it
+};
+
+/// What the triangulation of a face is made from.
+struct FaceInput {
+  FaceId face;
+  std::vector<std::uint32_t> vertices;  ///< all section vertices on the closed face, ascending
+  std::vector<Wall> walls;              ///< in the open face
+  std::vector<Wall> border;             ///< on its edges, of the face's own plane
+};
+
+/// The inputs of all faces that are not on the box, by face.
+std::vector<FaceInput> face_inputs(const SectionGraph& graph, const Arrangement& arrangement);
+
+/// Triangulates; without area in its vertices the face has no triangles. `locator` tests its plane. Independent
+/// of other faces: may run in parallel. Error internal (with plane and contour) if a contour edge could not
+/// be recovered.
+Result<FaceTriangulation> triangulate_face(const SectionGraph& graph, const Arrangement& arrangement,
+                                           const SectionLocator& locator, const FaceInput& input);
+
+/// Which edges on plane-plane lines are in the closed section of every plane through them: decided once, for all
+/// cells. An edge is in the closed section of a plane iff an internal triangle of that plane stands at it.
+class LineEdges {
+ public:
+  explicit LineEdges(const SectionGraph& graph) : graph_(&graph) {}
+  void add(const FaceTriangulation& face);
+  void finish();
+  /// Kind of the edge between section graph vertices u, v that share two or more planes.
+  EdgeKind kind(std::uint32_t u, std::uint32_t v) const;
+  /// True iff u and v share two or more planes.
+  bool on_line(std::uint32_t u, std::uint32_t v) const { return shared_planes(u, v) >= 2; }
+
+ private:
+  std::uint32_t shared_planes(std::uint32_t u, std::uint32_t v) const;
+
+  struct Entry {
+    std::uint32_t u, v, plane;
+    friend auto operator<=>(const Entry&, const Entry&) = default;
+  };
+  const SectionGraph* graph_;
+  std::vector<Entry> inside_;                          ///< edge uv has an internal triangle of the plane
+  std::vector<std::array<std::uint32_t, 2>> contour_;  ///< edges that are walls
+};
+
+}  // namespace crossloft
