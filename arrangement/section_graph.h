@@ -29,7 +29,7 @@ struct Wall {
 struct Mismatch {
   std::uint32_t plane = kNone;       ///< canonical number of the plane whose contour crosses
   std::uint32_t other = kNone;       ///< of a plane through the same edge whose contour does not
-  std::uint32_t vertex = kNone;
+  LatticePoint point;
 };
 
 struct CrossingStatistics {

@@ -172,7 +172,7 @@ void Matcher::count(const std::vector<Cluster>& clusters) {
                                    [&](const OnEdge& m) { return m.plane == p; });
       if (has || !has_bit(signs.zero, PlaneId{p})) continue;
       complete = false;
-      s.unmatched.push_back({cluster.members[0].plane, p, cluster.members[0].vertex});
+      s.unmatched.push_back({cluster.members[0].plane, p, cluster.at});
     }
     const auto members = static_cast<std::uint32_t>(cluster.members.size());
     s.crossings += members;

@@ -25,9 +25,13 @@ struct Reconstruction {
   Report report;
 };
 
+class Observer;
+
 /// Reconstructs. The result does not depend on the order of planes, contours, vertices or on context.threads.
 /// Errors: those of the input (ErrorCode up to contradicting_planes), cancelled, internal. Never throws but for memory.
 /// No plane is an error; planes without contours or one plane alone give an empty surface and a warning in the report.
-Result<Reconstruction> reconstruct(const Sections& sections, const Options& options = {}, const Context& context = {});
+/// `observer` (observer.h) is shown every intermediate product.
+Result<Reconstruction> reconstruct(const Sections& sections, const Options& options = {}, const Context& context = {},
+                                   Observer* observer = nullptr);
 
 }  // namespace crossloft

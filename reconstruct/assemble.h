@@ -1,0 +1,25 @@
+#pragma once
+/// From kept tetrahedra and contours by vertex number to the results in input units.
+
+#include <array>
+#include <span>
+
+#include "../arrangement/framed_sections.h"
+#include "../arrangement/sections.h"
+#include "glue.h"
+#include "numbering.h"
+#include "surface.h"
+
+namespace crossloft {
+
+/// Sorts the tetrahedra (each keeps its orientation) and numbers the vertices they use.
+Solid assemble_solid(std::vector<std::array<std::uint32_t, 4>>& tets, const Numbering& numbering,
+                     const WorldGrid& grid);
+Surface assemble_surface(const GluedSurface& glued, const Numbering& numbering, const WorldGrid& grid);
+/// The sections as the solid meets them: snapped, merged, split; planes in canonical order with unit normals.
+Sections assemble_sections(const FramedSections& framed, const SectionGraph& graph, const Arrangement& arrangement,
+                           std::span<const FaceTriangulation> faces, const Numbering& numbering);
+/// Enclosed volume, summed relative to the first vertex.
+double enclosed_volume(const Surface& surface);
+
+}  // namespace crossloft

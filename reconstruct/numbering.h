@@ -1,0 +1,22 @@
+#pragma once
+/// The final vertex numbers: section graph vertices and the splits of all faces in one lexicographic order.
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "face_triangulation.h"
+
+namespace crossloft {
+
+struct Numbering {
+  std::vector<LatticePoint> points;              ///< by final number, lexicographic
+  std::vector<std::uint32_t> graph_vertex;       ///< by final number, kNone for a split
+  std::vector<std::uint32_t> of_graph;           ///< final number by section graph vertex
+  std::vector<std::vector<std::uint32_t>> of_face;  ///< [face][local vertex]: final number
+};
+
+/// `faces` by arrangement face.
+Numbering number_vertices(const SectionGraph& graph, std::span<const FaceTriangulation> faces);
+
+}  // namespace crossloft

@@ -1,0 +1,345 @@
+#include "reconstruct.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "../prune/links.h"
+#include "assemble.h"
+#include "cell_builder.h"
+#include "flats.h"
+#include "numbering.h"
+#include "observer.h"
+#include "parallel.h"
+
+namespace crossloft {
+namespace {
+
+class Stopwatch {
+ public:
+  /// Seconds since the last call.
+  double lap() {
+    const auto now = std::chrono::steady_clock::now();
+    const double seconds = std::chrono::duration<double>(now - last_).count();
+    last_ = now;
+    return seconds;
+  }
+
+ private:
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+/// What a cell leaves behind once it is pruned.
+struct CellResult {
+  std::vector<std::array<std::uint32_t, 4>> tets;  ///< kept, by final vertex numbers
+  CellReport report;
+  double delaunay_seconds = 0, pruning_seconds = 0;
+  Error error;
+  bool failed = false;
+  BuiltCell built;       ///< only for an observer
+  PruneResult pruned;
+};
+
+class Pipeline {
+ public:
+  Pipeline(const Sections& sections, const Options& options, const Context& context, Observer* observer)
+      : sections_(sections), options_(options), context_(context), observer_(observer) {}
+  Result<Reconstruction> run();
+
+ private:
+  Result<Done> frame();
+  Result<Done> arrange();
+  Result<Done> triangulate_faces();
+  Result<Done> prune_cells();
+  Result<Done> glue_cells();
+  void prune_cell(CellId id, CellResult& result);
+  void cover(CellId id, std::span<const CellFace> faces, std::span<const FaceId> face_ids, const BuiltCell& cell,
+             const PruneResult& pruned);
+  LatticeBox data_box() const;
+  void report_crossings();
+  void explain_empty();
+  Error cancelled() const { return make_error(ErrorCode::cancelled, "cancelled"); }
+  void warn(std::string text) {
+    context_.warn(text);
+    result_.report.warnings.push_back(std::move(text));
+  }
+
+  const Sections& sections_;
+  const Options& options_;
+  const Context& context_;
+  Observer* observer_;
+  Stopwatch watch_;
+  LatticePointStore store_;
+  FramedSections framed_;
+  std::unique_ptr<Arrangement> arrangement_;
+  SectionGraph graph_;
+  std::vector<FaceTriangulation> faces_;  ///< by face of the arrangement
+  std::unique_ptr<LineEdges> line_edges_;
+  Numbering numbering_;
+  std::vector<std::array<std::uint32_t, 4>> tets_;
+  Reconstruction result_;
+};
+
+Result<Done> Pipeline::frame() {
+  auto framed = frame_sections(sections_, options_.plane_tolerance, context_);
+  if (!framed) return framed.error();
+  framed_ = std::move(framed).value();
+  Report& report = result_.report;
+  report.diagonal = framed_.diagonal;
+  report.notes = framed_.notes;
+  report.warnings = framed_.warnings;
+  for (const FramedPlane& plane : framed_.planes) {
+    report.displacement = std::max(report.displacement, plane.displacement);
+    report.off_plane = std::max(report.off_plane, plane.off_plane);
+  }
+  report.seconds.input = watch_.lap();
+  return Done{};
+}
+
+/// The bounding box of all vertices with a margin: cells further out hold nothing.
+LatticeBox Pipeline::data_box() const {
+  constexpr std::int64_t kBound = kLatticeLimit / 2;
+  LatticeBox box{{kBound, kBound, kBound}, {-kBound, -kBound, -kBound}};
+  for (const FramedPlane& plane : framed_.planes)
+    for (const LatticePoint& p : plane.vertices) {
+      const LatticeVector c = to_vector(p);
+      for (std::size_t k = 0; k < 3; ++k) {
+        box.lower[k] = std::min(box.lower[k], c[k]);
+        box.upper[k] = std::max(box.upper[k], c[k]);
+      }
+    }
+  std::int64_t extent = 16;
+  for (std::size_t k = 0; k < 3; ++k) extent = std::max(extent, box.upper[k] - box.lower[k]);
+  for (std::size_t k = 0; k < 3; ++k) {
+    box.lower[k] = std::max(-kBound, box.lower[k] - extent / 8);
+    box.upper[k] = std::min(kBound, box.upper[k] + extent / 8);
+  }
+  return box;
+}
+
+void Pipeline::report_crossings() {
+  Report& report = result_.report;
+  const CrossingStatistics& s = graph_.statistics;
+  report.on_line_vertices = s.on_line;
+  report.crossings = s.crossings;
+  report.matched_crossings = s.matched;
+  report.largest_match_gap = s.largest_gap * framed_.grid.unit();
+  report.disagreeing_vertices = s.disagreeing;
+  report.merged_collinear = s.merged_collinear;
+  for (const Mismatch& m : s.unmatched) {
+    const Vec3 p = framed_.grid.from_lattice(m.point);
+    report.unmatched.push_back({framed_.planes[m.plane].sources[0], framed_.planes[m.other].sources[0], p.x, p.y, p.z});
+  }
+  if (!report.unmatched.empty())
+    warn(std::to_string(report.unmatched.size()) +
+         " crossings of contours with other planes have no partner there: the sections disagree");
+  if (s.disagreeing != 0)
+    warn(std::to_string(s.disagreeing) + " common points of planes are inside one section and outside another");
+}
+
+Result<Done> Pipeline::arrange() {
+  std::vector<LatticePlane> planes;
+  for (const FramedPlane& plane : framed_.planes) planes.push_back(plane.plane);
+  auto arrangement = build_arrangement(planes, data_box(), store_, context_);
+  if (!arrangement) return arrangement.error();
+  arrangement_ = std::make_unique<Arrangement>(std::move(arrangement).value());
+  Report& report = result_.report;
+  report.arrangement_cells = arrangement_->cell_count();
+  report.arrangement_faces = arrangement_->face_count();
+  report.arrangement_vertices = arrangement_->vertex_count();
+  report.seconds.arrangement = watch_.lap();
+  const double unit = framed_.grid.unit();
+  const CrossingTolerances tolerances{options_.on_tolerance * framed_.diagonal / unit,
+                                      options_.match_tolerance * framed_.diagonal / unit};
+  auto graph = build_section_graph(framed_, *arrangement_, store_, tolerances, context_);
+  if (!graph) return graph.error();
+  graph_ = std::move(graph).value();
+  report_crossings();
+  report.seconds.crossings = watch_.lap();
+  if (observer_) observer_->on_sections(framed_, *arrangement_, graph_);
+  return Done{};
+}
+
+Result<Done> Pipeline::triangulate_faces() {
+  const std::vector<FaceInput> inputs = face_inputs(graph_, *arrangement_);
+  std::vector<std::vector<WallEnds>> ends(graph_.planes.size());
+  std::vector<SectionLocator> locators;
+  for (std::uint32_t p = 0; p < graph_.planes.size(); ++p) locators.push_back(graph_.locator(p, ends[p]));
+  faces_.resize(inputs.size());
+  std::vector<Error> errors(inputs.size());
+  const bool complete = parallel_for(inputs.size(), context_, "faces", [&](std::size_t f) {
+    const FaceId id{static_cast<std::uint32_t>(f)};
+    if (arrangement_->on_box(id)) return;
+    auto face = triangulate_face(graph_, *arrangement_, locators[arrangement_->plane_of(id).value], inputs[f]);
+    if (face)
+      faces_[f] = std::move(face).value();
+    else
+      errors[f] = face.error();
+  });
+  if (!complete) return cancelled();
+  for (const Error& error : errors)
+    if (!error.message.empty()) return error;
+  line_edges_ = std::make_unique<LineEdges>(graph_);
+  for (const FaceTriangulation& face : faces_) line_edges_->add(face);
+  line_edges_->finish();
+  for (FaceTriangulation& face : faces_)
+    for (FaceEdge& e : face.edges)
+      if (e.b < face.vertices.size() && line_edges_->on_line(face.vertices[e.a], face.vertices[e.b]))
+        e.kind = line_edges_->kind(face.vertices[e.a], face.vertices[e.b]);
+  numbering_ = number_vertices(graph_, faces_);
+  for (const FaceTriangulation& face : faces_)
+    result_.report.edge_splits += static_cast<std::uint32_t>(face.splits.size());
+  if (observer_)
+    for (const FaceTriangulation& face : faces_)
+      if (face.face.valid()) observer_->on_face(face, numbering_);
+  result_.sections = assemble_sections(framed_, graph_, *arrangement_, faces_, numbering_);
+  result_.report.seconds.faces = watch_.lap();
+  return Done{};
+}
+
+/// Marks the section triangles that kept tetrahedra stand on; each cell has its own side of each face.
+void Pipeline::cover(CellId id, std::span<const CellFace>, std::span<const FaceId> face_ids, const BuiltCell& cell,
+                     const PruneResult& pruned) {
+  for (std::size_t t = 0; t < pruned.kept.size(); ++t)
+    for (const GroundTriangle& ground : cell.ground[t]) {
+      if (pruned.kept[t] == 0 || ground.face == kNone) continue;
+      const FaceId face = face_ids[ground.face];
+      const std::size_t side = arrangement_->cells_of(face)[0] == id ? 0 : 1;
+      faces_[face.value].covered[side][ground.triangle] = 1;
+    }
+}
+
+void Pipeline::prune_cell(CellId id, CellResult& result) {
+  std::vector<CellFace> faces;
+  std::vector<FaceId> face_ids;
+  for (const FaceId f : arrangement_->faces_of(id))
+    if (!arrangement_->on_box(f)) {
+      faces.push_back({&faces_[f.value], numbering_.of_face[f.value]});
+      face_ids.push_back(f);
+    }
+  auto built = build_cell(faces, numbering_.points, *line_edges_, numbering_.graph_vertex);
+  if (!built) {
+    result.error = built.error();
+    result.failed = true;
+    return;
+  }
+  BuiltCell& cell = *built;
+  if (cell.complex.mesh.size() == 0) return;
+  Stopwatch watch;
+  PruneResult pruned = prune(cell.complex, options_.mode);
+  CellReport& report = result.report;
+  report.faces = static_cast<std::uint32_t>(faces.size());
+  report.vertices = cell.complex.vertex_count;
+  report.tets_r0 = pruned.r0, report.tets_r1 = pruned.r1, report.tets_r2 = pruned.r2, report.tets_r3 = pruned.r3;
+  report.bad_links = census_links(cell.complex, pruned.kept).bad_links();
+  result.pruning_seconds = watch.lap();
+  result.delaunay_seconds = cell.delaunay_seconds;
+  cover(id, faces, face_ids, cell, pruned);
+  for (std::size_t t = 0; t < pruned.kept.size(); ++t)
+    if (pruned.kept[t] != 0) {
+      std::array<std::uint32_t, 4> tet;
+      for (std::size_t i = 0; i < 4; ++i) tet[i] = cell.vertices[cell.complex.mesh.vertices[t][i]];
+      result.tets.push_back(tet);
+    }
+  if (observer_) result.built = std::move(cell), result.pruned = std::move(pruned);
+}
+
+Result<Done> Pipeline::prune_cells() {
+  std::vector<CellResult> cells(arrangement_->cell_count());
+  const bool complete = parallel_for(cells.size(), context_, "cells", [&](std::size_t c) {
+    prune_cell(CellId{static_cast<std::uint32_t>(c)}, cells[c]);
+  });
+  if (!complete) return cancelled();
+  Report& report = result_.report;
+  for (std::uint32_t c = 0; c < cells.size(); ++c) {
+    CellResult& cell = cells[c];
+    if (cell.failed) return cell.error;
+    if (cell.report.tets_r0 == 0) continue;
+    report.cells.push_back(cell.report);
+    report.bad_links += cell.report.bad_links;
+    report.seconds.delaunay += cell.delaunay_seconds;
+    report.seconds.pruning += cell.pruning_seconds;
+    tets_.insert(tets_.end(), cell.tets.begin(), cell.tets.end());
+    if (observer_) observer_->on_cell(CellId{c}, cell.built, cell.pruned);
+  }
+  watch_.lap();
+  return Done{};
+}
+
+Result<Done> Pipeline::glue_cells() {
+  result_.solid = assemble_solid(tets_, numbering_, framed_.grid);
+  auto glued = glue(tets_);
+  if (!glued) return glued.error();
+  result_.surface = assemble_surface(*glued, numbering_, framed_.grid);
+  if (observer_) observer_->on_solid(tets_, numbering_);
+  Report& report = result_.report;
+  report.pinched_vertices = glued->pinched_vertices;
+  report.pinched_edges = glued->pinched_edges;
+  report.split_edges = glued->split_edges;
+  report.vertex_copies = glued->copies;
+  report.solid_tets = static_cast<std::uint32_t>(result_.solid.tets.size());
+  report.surface_triangles = static_cast<std::uint32_t>(result_.surface.triangles.size());
+  report.surface_vertices = static_cast<std::uint32_t>(result_.surface.points.size());
+  report.volume = enclosed_volume(result_.surface);
+  const Flats flats = measure_flats(faces_, numbering_, framed_.grid, graph_.planes.size());
+  report.flat_regions = flats.regions;
+  for (std::size_t p = 0; p < flats.planes.size(); ++p) {
+    const FramedPlane& plane = framed_.planes[p];
+    PlaneReport out;
+    out.plane = plane.sources[0];
+    out.vertices = static_cast<std::uint32_t>(result_.sections.planes[p].vertices.size());
+    out.edges = static_cast<std::uint32_t>(result_.sections.planes[p].edges.size());
+    out.area = flats.planes[p].section;
+    out.flat_area = flats.planes[p].flat;
+    out.displacement = plane.displacement;
+    out.off_plane = plane.off_plane;
+    report.section_area += out.area;
+    report.flat_area += out.flat_area;
+    report.planes.push_back(out);
+  }
+  report.seconds.gluing = watch_.lap();
+  return Done{};
+}
+
+void Pipeline::explain_empty() {
+  if (!result_.surface.triangles.empty()) {
+    if (result_.report.flat_regions != 0)
+      warn(std::to_string(result_.report.flat_regions) +
+           " section regions stay bare on both sides: the solid does not contain them");
+    return;
+  }
+  std::size_t filled = 0;
+  for (const auto& walls : graph_.walls) filled += !walls.empty();
+  if (filled == 0)
+    warn("the surface is empty: no plane has a section");
+  else if (filled == 1)
+    warn("the surface is empty: only one plane has a section, so there is nothing to join it to");
+  else
+    warn("the surface is empty: no two sections face each other within one cell of the arrangement");
+}
+
+Result<Reconstruction> Pipeline::run() {
+  Stopwatch total;
+  Report& report = result_.report;
+  report.mode = options_.mode == PruneMode::joint ? "joint" : options_.mode == PruneMode::paper ? "paper" : "paper-literal";
+  if (auto done = frame(); !done) return done.error();
+  if (!framed_.planes.empty())
+    for (const auto step : {&Pipeline::arrange, &Pipeline::triangulate_faces, &Pipeline::prune_cells, &Pipeline::glue_cells}) {
+      if (context_.cancelled()) return cancelled();
+      if (auto done = (this->*step)(); !done) return done.error();
+    }
+  explain_empty();
+  report.seconds.total = total.lap();
+  return std::move(result_);
+}
+
+}  // namespace
+
+Result<Reconstruction> reconstruct(const Sections& sections, const Options& options, const Context& context,
+                                   Observer* observer) {
+  auto result = Pipeline(sections, options, context, observer).run();
+  if (!result && result.error().file.empty()) result.error().file = sections.source;
+  return result;
+}
+
+}  // namespace crossloft
