@@ -50,7 +50,7 @@ Point two_plane_point(std::mt19937& random, std::int64_t slope, std::int64_t hei
 }
 
 std::vector<Point> random_points(std::mt19937& random) {
-  const std::uint32_t shape = random() % 4, count = 8 + random() % 9;
+  const std::uint32_t shape = random() % 6, count = 8 + random() % 11;
   std::set<Point> points;
   while (points.size() < count) {
     points.insert(shape == 0   ? two_plane_point(random, 0, 300)
@@ -100,7 +100,7 @@ bool centre_in_ball(const std::vector<Point>& points, const Triangle& t, const L
 std::set<Triangle> random_sections(std::mt19937& random, const std::vector<Point>& points,
                                    const std::vector<Tet>& tets) {
   const bool by_ball = random() % 2 == 0;
-  const std::uint32_t share = 500 + random() % 501;  // of 1000
+  const std::uint32_t share = 600 + random() % 500;  // of 1000
   const LatticeVector centre{coordinate(random), coordinate(random), coordinate(random)};
   std::set<Triangle> internal, all;
   for (const Tet& tet : tets) {

@@ -21,7 +21,7 @@ using Triangle = std::array<std::uint32_t, 3>;  ///< sorted
 CellComplex make_cell(const std::vector<Tet>& tets, const std::vector<std::uint64_t>& masks,
                       const std::set<Triangle>& internal);
 
-/// 8 to 16 points on the faces of a box, a wedge, or a slab; their Delaunay tetrahedra; internal
+/// 8 to 18 points on the faces of a box, a wedge, or a slab; their Delaunay tetrahedra; internal
 /// triangles by the toss of a coin or by a ball.
 CellComplex random_cell(std::uint32_t seed);
 
