@@ -17,6 +17,7 @@
 #include <deque>
 #include <memory>
 
+#include "fp_check.h"
 #include "vec3.h"
 
 namespace crossloft {

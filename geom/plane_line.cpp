@@ -1,41 +1,44 @@
 #include "plane_line.h"
 
+#include "determinants.h"
+#include "fixed_division.h"
 #include "homogeneous.h"
 
 namespace crossloft {
 namespace {
 
-// |N_k| <= 2^40 and |x_k - o_k w| <= 2^51 w: the sum is below 2^93 w, w < 2^122.
-using Value = Fixed<256>;
+using Entry = FixedInt<40>;
+static_assert(kNormalLimit == std::int64_t{1} << 40 && kLatticeLimit == std::int64_t{1} << 50);
 
-Value times(std::int64_t n, const Value& x, std::int64_t o, const Value& w) { return (x - w * o) * n; }
+Entry entry(const LatticePlane& p, std::size_t k) { return Entry(p.normal[k]); }
 
-Value value_times_w(const LatticePlane& plane, const Value& x, const Value& y, const Value& z, const Value& w) {
-  const auto& n = plane.normal;
-  const auto& o = plane.origin;
-  return times(n[0], x, o[0], w) + times(n[1], y, o[1], w) + times(n[2], z, o[2], w);
+/// N . (X - o W), W times the value of the plane.
+template <unsigned Bits, unsigned WeightBits>
+auto value_times_w(const LatticePlane& plane, const FixedInt<Bits>& x, const FixedInt<Bits>& y,
+                   const FixedInt<Bits>& z, const FixedInt<WeightBits>& w) {
+  const auto term = [&](std::size_t k, const FixedInt<Bits>& c) {
+    return entry(plane, k) * (c - w * FixedInt<50>(plane.origin[k]));
+  };
+  return term(0, x) + term(1, y) + term(2, z);
 }
 
 }  // namespace
 
 double plane_value(const LatticePlane& plane, const LatticePoint& p) {
-  if (p.exact) {
-    const Value w(p.exact->w);
-    const Value v = value_times_w(plane, Value(p.exact->x), Value(p.exact->y), Value(p.exact->z), w);
-    return static_cast<double>(v) / static_cast<double>(w);
-  }
+  if (const Homogeneous* h = p.exact) return to_double(value_times_w(plane, h->x, h->y, h->z, h->w)) / to_double(h->w);
   const LatticeVector c = to_vector(p);
-  return static_cast<double>(value_times_w(plane, Value(c[0]), Value(c[1]), Value(c[2]), Value(1)));
+  return to_double(value_times_w(plane, FixedInt<50>(c[0]), FixedInt<50>(c[1]), FixedInt<50>(c[2]), FixedInt<0>(1)));
 }
 
 int line_axis(const LatticePlane& a, const LatticePlane& b) {
-  std::array<Value, 3> d;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
-    d[k] = abs(Value(Value(a.normal[i]) * b.normal[j] - Value(a.normal[j]) * b.normal[i]));
-  }
-  const std::size_t axis = d[1] > d[0] ? (d[2] > d[1] ? 2 : 1) : (d[2] > d[0] ? 2 : 0);
-  return d[axis] == 0 ? -1 : static_cast<int>(axis);
+  const auto component = [&](std::size_t i, std::size_t j) {
+    return magnitude(det2(entry(a, i), entry(a, j), entry(b, i), entry(b, j)));
+  };
+  const std::array d{component(1, 2), component(2, 0), component(0, 1)};
+  std::size_t axis = 0;
+  for (std::size_t k = 1; k < 3; ++k)
+    if (less(d[axis], d[k])) axis = k;
+  return d[axis].is_zero() ? -1 : static_cast<int>(axis);
 }
 
 bool line_point(LatticePointStore& store, const LatticePlane& a, const LatticePlane& b, std::int64_t t,

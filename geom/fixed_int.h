@@ -1,0 +1,132 @@
+#pragma once
+/// Integers of a fixed width on the stack whose widths are worked out by the types: FixedInt<A> * FixedInt<B>
+/// is a FixedInt<A + B>, a sum or difference a FixedInt<max(A, B) + 1>. An expression that compiles cannot
+/// overflow, so a determinant's type is the proof of its width; the predicates assert the documented ones.
+///
+/// FixedInt<Bits> holds |v| <= 2^Bits, the bound included (coordinates are |x| <= 2^50, normals <= 2^40; an
+/// inclusive bound is closed under products). Two's complement in 64-bit limbs, least significant first.
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace crossloft {
+
+namespace limbs {
+
+using Limb = std::uint64_t;
+
+/// Low limb of a b + c + d, the high one into `high`; the sum always fits in two limbs.
+inline Limb multiply_add(Limb a, Limb b, Limb c, Limb d, Limb& high) {
+#if defined(__SIZEOF_INT128__)
+  __extension__ using Double = unsigned __int128;
+  const Double t = static_cast<Double>(a) * b + c + d;
+  high = static_cast<Limb>(t >> 64);
+  return static_cast<Limb>(t);
+#else
+  const Limb mask = 0xFFFFFFFFu, al = a & mask, ah = a >> 32, bl = b & mask, bh = b >> 32;
+  const Limb ll = al * bl, lh = al * bh, hl = ah * bl, mid = (ll >> 32) + (lh & mask) + (hl & mask);
+  Limb low = (mid << 32) | (ll & mask);
+  high = ah * bh + (lh >> 32) + (hl >> 32) + (mid >> 32);
+  low += c, high += low < c;
+  low += d, high += low < d;
+  return low;
+#endif
+}
+
+/// a + b + carry, the carry out into `carry` (0 or 1).
+inline Limb add(Limb a, Limb b, Limb& carry) {
+  const Limb s = a + b, t = s + carry;
+  carry = static_cast<Limb>(s < a) | static_cast<Limb>(t < s);
+  return t;
+}
+
+/// The lower `nr` limbs of the product of two two's complement numbers into `r`; nr <= na + nb, no overlap.
+void multiply(Limb* r, std::size_t nr, const Limb* a, std::size_t na, const Limb* b, std::size_t nb);
+
+}  // namespace limbs
+
+template <unsigned Bits>
+struct FixedInt {
+  static constexpr unsigned kBits = Bits;
+  /// One bit for the sign and one because the bound is inclusive.
+  static constexpr std::size_t kLimbs = (Bits + 2 + 63) / 64;
+
+  std::array<limbs::Limb, kLimbs> limb{};
+
+  FixedInt() = default;
+  /// REQUIRES: |v| <= 2^Bits.
+  explicit FixedInt(std::int64_t v) {
+    limb[0] = static_cast<limbs::Limb>(v);
+    for (std::size_t i = 1; i < kLimbs; ++i) limb[i] = v < 0 ? ~limbs::Limb{0} : 0;
+  }
+  /// From another width. REQUIRES: the value fits, which a wider target ensures.
+  template <unsigned From>
+  explicit FixedInt(const FixedInt<From>& v) {
+    for (std::size_t i = 0; i < kLimbs; ++i) limb[i] = v.extended(i);
+  }
+
+  bool negative() const { return static_cast<std::int64_t>(limb[kLimbs - 1]) < 0; }
+  bool is_zero() const {
+    limbs::Limb all = 0;
+    for (const limbs::Limb l : limb) all |= l;
+    return all == 0;
+  }
+  int sign() const { return negative() ? -1 : is_zero() ? 0 : 1; }
+  /// Limb i of the number written with any number of limbs.
+  limbs::Limb extended(std::size_t i) const {
+    return i < kLimbs ? limb[i] : negative() ? ~limbs::Limb{0} : 0;
+  }
+  /// REQUIRES: |value| < 2^63.
+  std::int64_t to_int64() const { return static_cast<std::int64_t>(limb[0]); }
+
+  friend bool operator==(const FixedInt&, const FixedInt&) = default;
+};
+
+template <unsigned A, unsigned B>
+auto operator+(const FixedInt<A>& a, const FixedInt<B>& b) {
+  FixedInt<std::max(A, B) + 1> r;
+  limbs::Limb carry = 0;
+  for (std::size_t i = 0; i < r.kLimbs; ++i) r.limb[i] = limbs::add(a.extended(i), b.extended(i), carry);
+  return r;
+}
+
+template <unsigned A, unsigned B>
+auto operator-(const FixedInt<A>& a, const FixedInt<B>& b) {
+  FixedInt<std::max(A, B) + 1> r;
+  limbs::Limb carry = 1;
+  for (std::size_t i = 0; i < r.kLimbs; ++i) r.limb[i] = limbs::add(a.extended(i), ~b.extended(i), carry);
+  return r;
+}
+
+template <unsigned A>
+FixedInt<A> operator-(const FixedInt<A>& a) {
+  return FixedInt<A>(FixedInt<0>() - a);
+}
+
+template <unsigned A, unsigned B>
+auto operator*(const FixedInt<A>& a, const FixedInt<B>& b) {
+  FixedInt<A + B> r;
+  constexpr std::size_t kA = FixedInt<A>::kLimbs, kB = FixedInt<B>::kLimbs, kR = FixedInt<A + B>::kLimbs;
+  if constexpr (B == 0 && A == 0) {
+    r.limb[0] = a.limb[0] * b.limb[0];
+  } else if constexpr (kA * kB > 6) {
+    limbs::multiply(r.limb.data(), kR, a.limb.data(), kA, b.limb.data(), kB);
+  } else {
+    // Unsigned product; then a two's complement factor was too large by 2^(64 n) if it is negative.
+    for (std::size_t i = 0; i < kA; ++i) {
+      limbs::Limb high = 0;
+      for (std::size_t j = 0; j < kB && i + j < kR; ++j)
+        r.limb[i + j] = limbs::multiply_add(a.limb[i], b.limb[j], r.limb[i + j], high, high);
+      if (i + kB < kR) r.limb[i + kB] = high;
+    }
+    const limbs::Limb mask_a = a.negative() ? ~limbs::Limb{0} : 0, mask_b = b.negative() ? ~limbs::Limb{0} : 0;
+    limbs::Limb carry_a = 1, carry_b = 1;
+    for (std::size_t i = kA; i < kR; ++i) r.limb[i] = limbs::add(r.limb[i], ~(b.extended(i - kA) & mask_a), carry_a);
+    for (std::size_t i = kB; i < kR; ++i) r.limb[i] = limbs::add(r.limb[i], ~(a.extended(i - kB) & mask_b), carry_b);
+  }
+  return r;
+}
+
+}  // namespace crossloft

@@ -1,0 +1,260 @@
+// The exact stage of the lattice predicates. Calls whose points are all explicit, the vast majority, take a
+// path of their own in one to five limbs; otherwise the explicit points go first and the first serves as
+// origin, with one instance for each number of rational points.
+
+#include <array>
+#include <utility>
+
+#include "exact_rows.h"
+#include "homogeneous.h"
+#include "lattice_filters.h"
+
+namespace crossloft {
+namespace {
+
+constexpr unsigned kCoordinateBits = 50;
+constexpr unsigned kNormalBits = 40;
+constexpr unsigned kDifferenceBits = kCoordinateBits + 1;
+static_assert(kLatticeLimit == std::int64_t{1} << kCoordinateBits);
+static_assert(kNormalLimit == std::int64_t{1} << kNormalBits);
+
+/// q - p for explicit p: d of an explicit q; for a rational one (X - x W, ...), where |X - x W| <= 2^51 W.
+using ExplicitRow = ExactRow<kDifferenceBits, 0>;
+using RationalRow = ExactRow<kDifferenceBits + kWeightBits, kWeightBits>;
+/// A rational point as it is.
+using FreeRow = ExactRow<kNumeratorBits, kWeightBits>;
+
+using Axes = std::array<int, 3>;
+constexpr Axes kSpace{0, 1, 2};
+
+Axes axes_of(const filters::Projection& pr) { return {pr.u, pr.v, 3 - pr.u - pr.v}; }
+
+const FixedInt<kNumeratorBits>& numerator(const Homogeneous& h, int axis) {
+  return axis == 0 ? h.x : axis == 1 ? h.y : h.z;
+}
+
+std::int64_t integer(double coordinate) { return static_cast<std::int64_t>(coordinate); }
+
+ExplicitRow explicit_row(const Axes& k, const LatticePoint& origin, const LatticePoint& p) {
+  // Differences of explicit points are exact in doubles.
+  const auto d = [&](int axis) { return FixedInt<kDifferenceBits>(integer(p[axis] - origin[axis])); };
+  return {d(k[0]), d(k[1]), d(k[2]), FixedInt<0>(1)};
+}
+
+RationalRow rational_row(const Axes& k, const LatticePoint& origin, const LatticePoint& p) {
+  const Homogeneous& h = *p.exact;
+  const auto d = [&](int axis) {
+    return FixedInt<kDifferenceBits + kWeightBits>(numerator(h, axis) -
+                                                   h.w * FixedInt<kCoordinateBits>(integer(origin[axis])));
+  };
+  return {d(k[0]), d(k[1]), d(k[2]), h.w};
+}
+
+template <bool Rational>
+auto row(const Axes& k, const LatticePoint& origin, const LatticePoint& p) {
+  if constexpr (Rational) {
+    return rational_row(k, origin, p);
+  } else {
+    return explicit_row(k, origin, p);
+  }
+}
+
+FreeRow free_row(const Axes& k, const LatticePoint& p) {
+  const Homogeneous& h = *p.exact;
+  return {numerator(h, k[0]), numerator(h, k[1]), numerator(h, k[2]), h.w};
+}
+
+/// The arguments of a predicate with the explicit ones first, and the sign of the exchange: every predicate
+/// changes its sign when two of its points change places.
+template <std::size_t N>
+struct Sorted {
+  std::array<const LatticePoint*, N> points;
+  std::size_t rational = 0;
+  int sign = 1;
+
+  explicit Sorted(const std::array<const LatticePoint*, N>& given) : points(given) {
+    for (const LatticePoint* p : points) rational += p->is_explicit() ? 0 : 1;
+    std::size_t first = 0;  // all before are explicit
+    for (std::size_t i = 0; i < N; ++i) {
+      if (!points[i]->is_explicit()) continue;
+      if (i != first) {
+        std::swap(points[i], points[first]);
+        sign = -sign;
+      }
+      ++first;
+    }
+  }
+  const LatticePoint& operator[](std::size_t i) const { return *points[i]; }
+};
+
+template <std::size_t Rational>
+int orient3d_with(const Sorted<4>& p) {
+  const auto determinant = det3(row<(Rational >= 3)>(kSpace, p[0], p[1]), row<(Rational >= 2)>(kSpace, p[0], p[2]),
+                                row<(Rational >= 1)>(kSpace, p[0], p[3]));
+  static_assert(decltype(determinant)::kBits <= (Rational == 0 ? 157 : 522));
+  return p.sign * determinant.sign();
+}
+
+int orient3d_free(const Sorted<4>& p) {
+  const auto determinant =
+      det4(free_row(kSpace, p[0]), free_row(kSpace, p[1]), free_row(kSpace, p[2]), free_row(kSpace, p[3]));
+  static_assert(decltype(determinant)::kBits <= 645);
+  return -p.sign * determinant.sign();  // of rows (p, 1) the determinant is minus the one of differences
+}
+
+template <std::size_t Rational>
+int insphere_with(const Sorted<5>& p) {
+  // The origin comes last in the in-sphere of five points; from the first place that is an even exchange.
+  const auto determinant =
+      in_sphere_about(row<(Rational >= 4)>(kSpace, p[0], p[1]), row<(Rational >= 3)>(kSpace, p[0], p[2]),
+                      row<(Rational >= 2)>(kSpace, p[0], p[3]), row<(Rational >= 1)>(kSpace, p[0], p[4]));
+  static_assert(decltype(determinant)::kBits <= (Rational == 0 ? 263 : 1239));
+  return p.sign * determinant.sign();
+}
+
+int insphere_free(const Sorted<5>& p) {
+  const auto determinant = in_sphere_free(free_row(kSpace, p[0]), free_row(kSpace, p[1]), free_row(kSpace, p[2]),
+                                          free_row(kSpace, p[3]), free_row(kSpace, p[4]));
+  static_assert(decltype(determinant)::kBits <= 1480);
+  return p.sign * determinant.sign();
+}
+
+template <std::size_t Rational>
+int orient2d_with(const Axes& k, const Sorted<3>& p) {
+  const auto determinant =
+      orientation_about(row<(Rational >= 2)>(k, p[0], p[1]), row<(Rational >= 1)>(k, p[0], p[2]));
+  static_assert(decltype(determinant)::kBits <= (Rational == 0 ? 103 : 347));
+  return p.sign * determinant.sign();
+}
+
+int orient2d_free(const Axes& k, const Sorted<3>& p) {
+  const auto determinant = det3_xyw(free_row(k, p[0]), free_row(k, p[1]), free_row(k, p[2]));
+  static_assert(decltype(determinant)::kBits <= 469);
+  return p.sign * determinant.sign();
+}
+
+template <std::size_t Rational>
+int incircle_with(const Axes& k, const Sorted<4>& p) {
+  // From the first to the last of four places is an odd exchange.
+  const auto determinant =
+      in_circle_about(row<(Rational >= 3)>(k, p[0], p[1]), row<(Rational >= 2)>(k, p[0], p[2]),
+                      row<(Rational >= 1)>(k, p[0], p[3]));
+  static_assert(decltype(determinant)::kBits <= (Rational == 0 ? 209 : 941));
+  return -p.sign * determinant.sign();
+}
+
+int incircle_free(const Axes& k, const Sorted<4>& p) {
+  const auto determinant =
+      in_circle_free(free_row(k, p[0]), free_row(k, p[1]), free_row(k, p[2]), free_row(k, p[3]));
+  static_assert(decltype(determinant)::kBits <= 1183);
+  return p.sign * determinant.sign();
+}
+
+}  // namespace
+
+int side_of_plane_exact(const LatticePlane& plane, const LatticePoint& p) {
+  const auto sum = [&](const auto& d) {
+    const auto n = [&](std::size_t k) { return FixedInt<kNormalBits>(plane.normal[k]); };
+    return (n(0) * d.x + n(1) * d.y + n(2) * d.z).sign();
+  };
+  const LatticePoint origin = make_point(plane.origin);
+  return p.is_explicit() ? sum(explicit_row(kSpace, origin, p)) : sum(rational_row(kSpace, origin, p));
+}
+
+int orient3d_exact(const LatticePoint& a, const LatticePoint& b, const LatticePoint& c, const LatticePoint& d) {
+  const Sorted<4> p({&a, &b, &c, &d});
+  switch (p.rational) {
+    case 0: return orient3d_with<0>(p);
+    case 1: return orient3d_with<1>(p);
+    case 2: return orient3d_with<2>(p);
+    case 3: return orient3d_with<3>(p);
+    default: return orient3d_free(p);
+  }
+}
+
+int insphere_exact(const LatticePoint& a, const LatticePoint& b, const LatticePoint& c, const LatticePoint& d,
+                   const LatticePoint& e) {
+  const Sorted<5> p({&a, &b, &c, &d, &e});
+  switch (p.rational) {
+    case 0: return insphere_with<0>(p);
+    case 1: return insphere_with<1>(p);
+    case 2: return insphere_with<2>(p);
+    case 3: return insphere_with<3>(p);
+    case 4: return insphere_with<4>(p);
+    default: return insphere_free(p);
+  }
+}
+
+int orient2d_exact(const LatticePlane& plane, const LatticePoint& a, const LatticePoint& b,
+                   const LatticePoint& c) {
+  const filters::Projection pr = filters::projection(plane.normal);
+  const Axes k = axes_of(pr);
+  const Sorted<3> p({&a, &b, &c});
+  switch (p.rational) {
+    case 0: return pr.sign * orient2d_with<0>(k, p);
+    case 1: return pr.sign * orient2d_with<1>(k, p);
+    case 2: return pr.sign * orient2d_with<2>(k, p);
+    default: return pr.sign * orient2d_free(k, p);
+  }
+}
+
+int incircle_exact(const LatticePlane& plane, const LatticePoint& a, const LatticePoint& b,
+                   const LatticePoint& c, const LatticePoint& d) {
+  const filters::Projection pr = filters::projection(plane.normal);
+  const Axes k = axes_of(pr);
+  const Sorted<4> p({&a, &b, &c, &d});
+  switch (p.rational) {
+    case 0: return pr.sign * incircle_with<0>(k, p);
+    case 1: return pr.sign * incircle_with<1>(k, p);
+    case 2: return pr.sign * incircle_with<2>(k, p);
+    case 3: return pr.sign * incircle_with<3>(k, p);
+    default: return pr.sign * incircle_free(k, p);
+  }
+}
+
+int compare_axis(int axis, const LatticePoint& a, const LatticePoint& b) {
+  // Rounding to nearest is monotone: different rounded values order the exact ones.
+  if (a[axis] != b[axis]) return a[axis] < b[axis] ? -1 : 1;
+  if (a.exact == b.exact) return 0;
+  if (b.is_explicit()) return -compare_axis(axis, b, a);
+  const Homogeneous& q = *b.exact;
+  if (a.is_explicit()) return (FixedInt<kCoordinateBits>(integer(a[axis])) * q.w - numerator(q, axis)).sign();
+  return (numerator(*a.exact, axis) * q.w - numerator(q, axis) * a.exact->w).sign();
+}
+
+int compare_lex(const LatticePoint& a, const LatticePoint& b) {
+  for (int axis = 0; axis < 3; ++axis)
+    if (const int sign = compare_axis(axis, a, b)) return sign;
+  return 0;
+}
+
+bool equal(const LatticePoint& a, const LatticePoint& b) { return compare_lex(a, b) == 0; }
+
+int side_of_plane(const LatticePlane& plane, const LatticePoint& p) {
+  if (const int sign = side_of_plane_filter(plane, p)) return sign;
+  return side_of_plane_exact(plane, p);
+}
+
+int orient3d(const LatticePoint& a, const LatticePoint& b, const LatticePoint& c, const LatticePoint& d) {
+  if (const int sign = orient3d_filter(a, b, c, d)) return sign;
+  return orient3d_exact(a, b, c, d);
+}
+
+int insphere(const LatticePoint& a, const LatticePoint& b, const LatticePoint& c, const LatticePoint& d,
+             const LatticePoint& e) {
+  if (const int sign = insphere_filter(a, b, c, d, e)) return sign;
+  return insphere_exact(a, b, c, d, e);
+}
+
+int orient2d(const LatticePlane& plane, const LatticePoint& a, const LatticePoint& b, const LatticePoint& c) {
+  if (const int sign = orient2d_filter(plane, a, b, c)) return sign;
+  return orient2d_exact(plane, a, b, c);
+}
+
+int incircle(const LatticePlane& plane, const LatticePoint& a, const LatticePoint& b, const LatticePoint& c,
+             const LatticePoint& d) {
+  if (const int sign = incircle_filter(plane, a, b, c, d)) return sign;
+  return incircle_exact(plane, a, b, c, d);
+}
+
+}  // namespace crossloft

@@ -1,0 +1,23 @@
+#pragma once
+/// Predicates on planes alone: points are named by the planes they lie on and never get coordinates. The
+/// arrangement is built on these, so that no rounding and no growth of coordinates enters its combinatorics.
+
+#include "lattice.h"
+
+namespace crossloft {
+
+/// The side of q on which the common point of a, b and c lies: +1 where q's normal points to, 0 on q.
+/// Exact for all lattice planes, also when the point is outside |x| <= 2^50. With the normals of a, b, c
+/// dependent there is no such point and the answer is 0.
+///
+/// Laws: antisymmetric in q -> -q; symmetric in a, b, c and blind to the signs of their normals;
+/// agrees with side_of_plane(q, p) for p = meet(a, b, c).
+///
+/// Sign of a 4x4 determinant of plane coefficients over the 3x3 determinant of the normals (dual form);
+/// 220-bit integers on the stack, no allocation.
+int side_of_meet(const LatticePlane& a, const LatticePlane& b, const LatticePlane& c, const LatticePlane& q);
+
+/// Sign of det(N_a, N_b, N_c): 0 iff the planes do not meet in exactly one point.
+int orient_normals(const LatticePlane& a, const LatticePlane& b, const LatticePlane& c);
+
+}  // namespace crossloft
