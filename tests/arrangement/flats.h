@@ -132,8 +132,8 @@ class Flats {
     collect();
   }
 
-  /// Zaslavsky's theorem in an open convex set: every flat adds the modulus of its Moebius number, to cells over
-  /// the flats of space, to faces over those of each plane, to edges over those of each line.
+  /// Zaslavsky's theorem in an open convex set: every flat adds the modulus of its Moebius number, to cells
+  /// over the flats of space, to faces over those of each plane, to edges over those of each line.
   Counts expected() const {
     Counts c{points_.size(), lines_.size(), planes_, 1 + planes_};
     for (const auto& line : lines_) c.cells += line.size() - 1, c.faces += line.size();

@@ -33,8 +33,7 @@ inline LatticePlane plane_through(std::mt19937_64& random, const LatticeVector& 
 inline std::vector<LatticePlane> random_planes(std::mt19937_64& random, std::size_t count, std::int64_t bound,
                                                std::int64_t spread) {
   std::vector<LatticePlane> planes;
-  while (planes.size() < count)
-    planes.push_back(plane_through(random, random_vector(random, bound), spread));
+  while (planes.size() < count) planes.push_back(plane_through(random, random_vector(random, bound), spread));
   return planes;
 }
 
