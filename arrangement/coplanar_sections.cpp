@@ -1,0 +1,183 @@
+#include "coplanar_sections.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <tuple>
+
+#include "normalise.h"
+
+namespace crossloft {
+namespace {
+
+enum class Place : std::uint8_t { outside, boundary, inside };
+
+/// A section in the plane's projection along its dominant axis, coordinates doubled so that middles of edges
+/// are integral too.
+class Projected {
+ public:
+  Projected(const LatticePlane& plane, const LatticeSection& section) : plane_(plane) {
+    const int k = dominant_axis(plane.normal);
+    i_ = (k + 1) % 3, j_ = (k + 2) % 3;
+    for (const LatticePoint& p : section.vertices) points_.push_back({2 * p.x, 2 * p.y, 2 * p.z, nullptr});
+    for (const WallEdge& w : section.walls) edges_.push_back({w.a, w.b});
+  }
+
+  const std::vector<LatticePoint>& points() const { return points_; }
+  std::vector<LatticePoint> middles() const {
+    std::vector<LatticePoint> result;
+    for (const auto& [a, b] : edges_) {
+      const LatticePoint &p = points_[a], &q = points_[b];
+      result.push_back({(p.x + q.x) / 2, (p.y + q.y) / 2, (p.z + q.z) / 2, nullptr});
+    }
+    return result;
+  }
+
+  /// Even-odd along the ray towards growing i.
+  Place locate(const LatticePoint& p) const {
+    bool inside = false;
+    for (const auto& [ia, ib] : edges_) {
+      const LatticePoint &a = points_[ia], &b = points_[ib];
+      if (std::min(a[j_], b[j_]) > p[j_] || std::max(a[j_], b[j_]) < p[j_]) continue;
+      if (std::max(a[i_], b[i_]) < p[i_]) continue;
+      const int side = orient2d(plane_, a, b, p);
+      if (side == 0 && std::min(a[i_], b[i_]) <= p[i_]) return Place::boundary;
+      if ((a[j_] > p[j_]) == (b[j_] > p[j_])) continue;
+      // p is left of an upward edge iff the triangle (a, b, p) turns as (i, j) do.
+      const int left = positive_axis() ? side : -side;
+      if ((b[j_] > a[j_]) == (left > 0)) inside = !inside;
+    }
+    return inside ? Place::inside : Place::outside;
+  }
+
+  bool crosses(const Projected& other) const {
+    return std::any_of(edges_.begin(), edges_.end(), [&](const Edge& e) {
+      return std::any_of(other.edges_.begin(), other.edges_.end(), [&](const Edge& f) {
+        return cross(points_[e.a], points_[e.b], other.points_[f.a], other.points_[f.b]);
+      });
+    });
+  }
+
+ private:
+  struct Edge {
+    std::uint32_t a, b;
+  };
+
+  bool positive_axis() const { return plane_.normal[static_cast<std::size_t>(3 - i_ - j_)] > 0; }
+
+  bool apart(int axis, const LatticePoint& a, const LatticePoint& b, const LatticePoint& c,
+             const LatticePoint& d) const {
+    return std::max(a[axis], b[axis]) < std::min(c[axis], d[axis]) ||
+           std::max(c[axis], d[axis]) < std::min(a[axis], b[axis]);
+  }
+  /// True iff the open segments have one common point.
+  bool cross(const LatticePoint& a, const LatticePoint& b, const LatticePoint& c,
+             const LatticePoint& d) const {
+    if (apart(i_, a, b, c, d) || apart(j_, a, b, c, d)) return false;
+    return orient2d(plane_, a, b, c) * orient2d(plane_, a, b, d) < 0 &&
+           orient2d(plane_, c, d, a) * orient2d(plane_, c, d, b) < 0;
+  }
+
+  const LatticePlane& plane_;
+  int i_ = 0, j_ = 1;
+  std::vector<LatticePoint> points_;
+  std::vector<Edge> edges_;
+};
+
+double distance2(const LatticePoint& a, const LatticePoint& b) {
+  const Vec3 d = Vec3{a.x, a.y, a.z} - Vec3{b.x, b.y, b.z};
+  return dot(d, d);
+}
+
+/// [vertex of a] the nearest vertex of b; empty if one is further than the tolerance.
+std::vector<std::uint32_t> match_vertices(const LatticeSection& a, const LatticeSection& b,
+                                          double tolerance) {
+  std::vector<std::uint32_t> match;
+  for (const LatticePoint& p : a.vertices) {
+    const auto nearest =
+        std::min_element(b.vertices.begin(), b.vertices.end(),
+                         [&](const auto& q, const auto& r) { return distance2(p, q) < distance2(p, r); });
+    if (distance2(p, *nearest) > tolerance * tolerance) return {};
+    match.push_back(static_cast<std::uint32_t>(nearest - b.vertices.begin()));
+  }
+  return match;
+}
+
+bool equal_walls(const std::vector<WallEdge>& a, const std::vector<WallEdge>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](const WallEdge& x, const WallEdge& y) { return x.a == y.a && x.b == y.b; });
+}
+
+bool nearly_same(const LatticeSection& a, const LatticeSection& b, double tolerance) {
+  if (a.vertices.size() != b.vertices.size() || a.walls.size() != b.walls.size()) return false;
+  const std::vector<std::uint32_t> match = match_vertices(a, b, tolerance);
+  if (match.size() != a.vertices.size()) return false;
+  std::vector<WallEdge> mapped;
+  for (const WallEdge& w : a.walls)
+    mapped.push_back({std::min(match[w.a], match[w.b]), std::max(match[w.a], match[w.b]), 0, 0, 0});
+  cancel_pairs(mapped);
+  return equal_walls(mapped, b.walls);
+}
+
+bool all_at(const Projected& section, Place place, const std::vector<LatticePoint>& points) {
+  return std::all_of(points.begin(), points.end(), [&](const auto& p) { return section.locate(p) == place; });
+}
+bool any_at(const Projected& section, Place place, const std::vector<LatticePoint>& points) {
+  return std::any_of(points.begin(), points.end(), [&](const auto& p) { return section.locate(p) == place; });
+}
+
+}  // namespace
+
+SectionRelation relation(const LatticePlane& plane, const LatticeSection& a, const LatticeSection& b,
+                         double tolerance) {
+  if (a.walls.empty() || b.walls.empty())
+    return a.walls.size() == b.walls.size() ? SectionRelation::same : SectionRelation::apart;
+  if (nearly_same(a, b, tolerance)) return SectionRelation::same;
+  const Projected p(plane, a), q(plane, b);
+  if (p.crosses(q)) return SectionRelation::overlapping;
+  // Without a proper crossing each edge of one lies in the interior, on the boundary or outside of the other,
+  // up to pieces between touching points; its ends and its middle tell which.
+  const auto pm = p.middles(), qm = q.middles();
+  if (any_at(q, Place::inside, p.points()) || any_at(p, Place::inside, q.points()) ||
+      any_at(q, Place::inside, pm) || any_at(p, Place::inside, qm))
+    return SectionRelation::overlapping;
+  const bool one_boundary = all_at(q, Place::boundary, pm) && all_at(p, Place::boundary, qm);
+  return one_boundary ? SectionRelation::same : SectionRelation::apart;
+}
+
+void tidy(LatticeSection& s) {
+  std::vector<bool> used(s.vertices.size());
+  const auto key = [&](std::uint32_t v) {
+    const LatticePoint& p = s.vertices[v];
+    return std::tuple(p.x, p.y, p.z);
+  };
+  // New numbers in lexicographic order, equal points one number; then once more without the unused.
+  const auto renumber = [&](bool all) {
+    std::vector<std::uint32_t> order;
+    for (std::uint32_t v = 0; v < s.vertices.size(); ++v)
+      if (all || used[v]) order.push_back(v);
+    std::sort(order.begin(), order.end(), [&](std::uint32_t v, std::uint32_t w) {
+      return std::tuple(key(v), s.input[v]) < std::tuple(key(w), s.input[w]);
+    });
+    LatticeSection next;
+    std::vector<std::uint32_t> index(s.vertices.size());
+    for (std::size_t i = 0; i < order.size(); ++i) {
+      if (i == 0 || key(order[i]) != key(order[i - 1])) {
+        next.vertices.push_back(s.vertices[order[i]]);
+        next.input.push_back(s.input[order[i]]);
+      }
+      index[order[i]] = static_cast<std::uint32_t>(next.vertices.size() - 1);
+    }
+    for (const WallEdge& w : s.walls)
+      next.walls.push_back(
+          {std::min(index[w.a], index[w.b]), std::max(index[w.a], index[w.b]), w.plane, w.contour, w.line});
+    s = std::move(next);
+  };
+  renumber(true);
+  cancel_pairs(s.walls);
+  used.assign(s.vertices.size(), false);
+  for (const WallEdge& w : s.walls) used[w.a] = used[w.b] = true;
+  renumber(false);
+}
+
+}  // namespace crossloft

@@ -1,0 +1,312 @@
+#include "framed_sections.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+#include "../geom/frame.h"
+#include "coplanar_sections.h"
+#include "normalise.h"
+#include "plane_frames.h"
+
+namespace crossloft {
+namespace {
+
+/// Planes that agree, or share a line or a point, up to this fraction of the diagonal do so exactly.
+constexpr double kCoincidence = 1e-9;
+constexpr double kCubeHalf = 562949953421312.0;  // 2^49
+
+std::string count_of(std::size_t n, const char* what) {
+  return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
+}
+
+/// A section on its way: what the file wants, in lattice units.
+struct Candidate {
+  const WallSection* section = nullptr;
+  LatticeVector direction;
+  WantedPlane plane;
+  std::vector<LatticeVector> points;
+};
+
+Vec3 unit_vector(const LatticeVector& d) {
+  const Vec3 v{static_cast<double>(d[0]), static_cast<double>(d[1]), static_cast<double>(d[2])};
+  const double length = norm(v);
+  return {v.x / length, v.y / length, v.z / length};
+}
+
+/// Signed distance of the wanted plane from the origin of the lattice: half way between the extreme vertices,
+/// which makes the largest distance to a vertex least; what the file says where there are none.
+double offset_of(const Candidate& c, const WorldGrid& grid) {
+  const Vec3 n = c.plane.normal;
+  if (c.section->vertices.empty()) {
+    const Vec3 m = c.section->normal;
+    return dot(n, grid.scaled((-c.section->offset / dot(m, m)) * m));
+  }
+  double low = dot(n, grid.scaled(c.section->vertices[0])), high = low;
+  for (const Vec3& v : c.section->vertices) {
+    const double s = dot(n, grid.scaled(v));
+    low = std::min(low, s), high = std::max(high, s);
+  }
+  return low / 2 + high / 2;
+}
+
+/// True iff a plane without section meets the cube in which the arrangement is built.
+bool comes_near(const Candidate& c) {
+  const Vec3 n = c.plane.normal;
+  return std::fabs(c.plane.offset) <= kCubeHalf * (std::fabs(n.x) + std::fabs(n.y) + std::fabs(n.z));
+}
+
+/// The candidates in an order that the file's does not enter, as far as they differ.
+std::vector<Candidate> collect_candidates(const NormalisedSections& in, FramedSections& out) {
+  std::vector<Candidate> candidates;
+  for (const WallSection& s : in.sections) {
+    Candidate c{&s, quantise_direction(s.normal), {}, {}};
+    c.plane.normal = unit_vector(c.direction);
+    c.plane.offset = offset_of(c, out.grid);
+    for (const Vec3& v : s.vertices) c.points.push_back(out.grid.to_lattice(v));
+    if (!s.vertices.empty() || comes_near(c))
+      candidates.push_back(std::move(c));
+    else
+      out.notes.push_back("plane " + std::to_string(s.source) +
+                          ": left out, it has no contour and stays away from the others");
+  }
+  const auto content = [](const Candidate& c) {
+    return std::tie(c.direction, c.plane.offset, c.section->vertices);
+  };
+  std::stable_sort(candidates.begin(), candidates.end(),
+                   [&](const Candidate& a, const Candidate& b) { return content(a) < content(b); });
+  return candidates;
+}
+
+LatticeVector centre_of(const std::vector<LatticeVector>& points) {
+  LatticeVector centre{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto [low, high] = std::minmax_element(points.begin(), points.end(),
+                                                 [&](const auto& a, const auto& b) { return a[k] < b[k]; });
+    centre[k] = (*low)[k] + ((*high)[k] - (*low)[k]) / 2;
+  }
+  return centre;
+}
+
+/// What to frame: one wish for the equal planes of a group.
+PlaneWish wish_of(const std::vector<const Candidate*>& group) {
+  const auto with_points =
+      std::find_if(group.begin(), group.end(), [](const auto* c) { return !c->points.empty(); });
+  const Candidate& first = with_points == group.end() ? *group.front() : **with_points;
+  PlaneWish wish{first.direction, first.plane, {}, {}};
+  for (const Candidate* c : group) wish.points.insert(wish.points.end(), c->points.begin(), c->points.end());
+  const Vec3 foot = first.plane.offset * first.plane.normal;
+  wish.centre = wish.points.empty()
+                    ? LatticeVector{static_cast<std::int64_t>(foot.x), static_cast<std::int64_t>(foot.y),
+                                    static_cast<std::int64_t>(foot.z)}
+                    : centre_of(wish.points);
+  return wish;
+}
+
+std::set<std::uint32_t> contours_of(const std::vector<WallEdge>& walls) {
+  std::set<std::uint32_t> contours;
+  for (const WallEdge& w : walls) contours.insert(w.contour);
+  return contours;
+}
+
+/// The section with its vertices on the lattice plane; notes how far they went.
+LatticeSection snap(const Candidate& c, FramedPlane& plane, FramedSections& out) {
+  LatticeSection s;
+  s.input = c.section->vertices;
+  s.walls = c.section->walls;
+  for (std::size_t v = 0; v < c.points.size(); ++v) {
+    s.vertices.push_back(make_point(snap_to_plane(plane.plane, c.points[v])));
+    const LatticePoint& p = s.vertices.back();
+    const Vec3 way = Vec3{p.x, p.y, p.z} - out.grid.scaled(s.input[v]);
+    plane.displacement = std::max(plane.displacement, out.grid.unit() * norm(way));
+  }
+  plane.off_plane = std::max(plane.off_plane, c.section->off_plane);
+  plane.sources.push_back(c.section->source);
+  const auto before = contours_of(s.walls);
+  tidy(s);
+  const auto after = contours_of(s.walls);
+  for (const std::uint32_t contour : before)
+    if (!after.contains(contour))
+      out.warnings.push_back("plane " + std::to_string(c.section->source) + ", contour " +
+                             std::to_string(contour) + ": dropped, it vanishes on the lattice");
+  return s;
+}
+
+bool content_less(const LatticeSection& a, const LatticeSection& b) {
+  const auto by_points = [](const LatticePoint& p, const LatticePoint& q) {
+    return std::tie(p.x, p.y, p.z) < std::tie(q.x, q.y, q.z);
+  };
+  const auto by_ends = [](const WallEdge& x, const WallEdge& y) {
+    return std::tie(x.a, x.b) < std::tie(y.a, y.b);
+  };
+  if (std::lexicographical_compare(a.vertices.begin(), a.vertices.end(), b.vertices.begin(), b.vertices.end(),
+                                   by_points))
+    return true;
+  if (std::lexicographical_compare(b.vertices.begin(), b.vertices.end(), a.vertices.begin(), a.vertices.end(),
+                                   by_points))
+    return false;
+  return std::lexicographical_compare(a.walls.begin(), a.walls.end(), b.walls.begin(), b.walls.end(),
+                                      by_ends);
+}
+
+void append(LatticeSection& to, const LatticeSection& from) {
+  const auto shift = static_cast<std::uint32_t>(to.vertices.size());
+  to.vertices.insert(to.vertices.end(), from.vertices.begin(), from.vertices.end());
+  to.input.insert(to.input.end(), from.input.begin(), from.input.end());
+  for (WallEdge w : from.walls) {
+    w.a += shift, w.b += shift;
+    to.walls.push_back(w);
+  }
+}
+
+/// One section of several on one plane: equal ones count once, the others must be apart.
+Result<LatticeSection> combine(const LatticePlane& plane, std::vector<LatticeSection> sections,
+                               double tolerance, const Sections& in) {
+  std::erase_if(sections, [](const LatticeSection& s) { return s.walls.empty(); });
+  std::stable_sort(sections.begin(), sections.end(), content_less);
+  std::vector<LatticeSection> kept;
+  for (LatticeSection& s : sections) {
+    bool known = false;
+    for (const LatticeSection& k : kept) {
+      const SectionRelation r = relation(plane, k, s, tolerance);
+      if (r == SectionRelation::overlapping) {
+        const auto [first, second] = std::minmax(k.walls[0].plane, s.walls[0].plane);
+        return Error{ErrorCode::contradicting_planes,
+                     "the section overlaps that of plane " + std::to_string(first) + " in the same plane",
+                     in.source, in.planes[second].line, second};
+      }
+      known = known || r == SectionRelation::same;
+    }
+    if (!known) kept.push_back(std::move(s));
+  }
+  LatticeSection all;
+  for (const LatticeSection& s : kept) append(all, s);
+  tidy(all);
+  return all;
+}
+
+/// How near two vertices of equal planes are one: the coincidence itself and the mesh of the plane's lattice.
+double same_vertex_tolerance(const LatticePlane& p, double coincidence) {
+  const Vec3 e{static_cast<double>(p.e2[0]), static_cast<double>(p.e2[1]), static_cast<double>(p.e2[2])};
+  return coincidence + 2 * norm(e);
+}
+
+bool plane_less(const LatticePlane& a, const LatticePlane& b) {
+  return a.normal != b.normal ? a.normal < b.normal : compare_offsets(a, b) < 0;
+}
+
+using Groups = std::vector<std::vector<const Candidate*>>;
+
+/// Candidates by the planes that agree up to the tolerance.
+Groups group_equal(const std::vector<Candidate>& candidates, double radius, double tolerance) {
+  std::vector<WantedPlane> wanted;
+  for (const Candidate& c : candidates) wanted.push_back(c.plane);
+  const std::vector<std::uint32_t> first = find_equal_planes(wanted, radius, tolerance);
+  Groups groups;
+  std::vector<std::size_t> group_of(candidates.size());
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    if (first[i] == i) group_of[i] = groups.size(), groups.emplace_back();
+    groups[group_of[first[i]]].push_back(&candidates[i]);
+  }
+  return groups;
+}
+
+struct Framing {
+  LatticePlane plane;
+  std::vector<const Candidate*> members;
+};
+
+/// In canonical order; planes that became one on the lattice joined.
+std::vector<Framing> sort_and_join(std::vector<LatticePlane> planes, Groups groups) {
+  std::vector<Framing> framings;
+  for (std::size_t i = 0; i < groups.size(); ++i) framings.push_back({planes[i], std::move(groups[i])});
+  std::stable_sort(framings.begin(), framings.end(),
+                   [](const Framing& a, const Framing& b) { return plane_less(a.plane, b.plane); });
+  std::vector<Framing> joined;
+  for (Framing& f : framings)
+    if (!joined.empty() && same_plane(joined.back().plane, f.plane))
+      joined.back().members.insert(joined.back().members.end(), f.members.begin(), f.members.end());
+    else
+      joined.push_back(std::move(f));
+  // The origin of a joined plane must not depend on which came first.
+  for (Framing& f : joined)
+    f.plane = plane_through(f.plane.normal, f.plane.origin, wish_of(f.members).centre);
+  return joined;
+}
+
+Result<FramedPlane> finish_plane(const Framing& framing, double tolerance, const Sections& in,
+                                 FramedSections& out) {
+  FramedPlane plane;
+  plane.plane = framing.plane;
+  std::vector<LatticeSection> sections;
+  for (const Candidate* c : framing.members) sections.push_back(snap(*c, plane, out));
+  std::sort(plane.sources.begin(), plane.sources.end());
+  if (plane.sources.size() > 1)
+    out.notes.push_back("planes " + std::to_string(plane.sources[0]) + " and " +
+                        std::to_string(plane.sources[1]) + (plane.sources.size() > 2 ? " and others" : "") +
+                        " are one plane");
+  Result<LatticeSection> section =
+      combine(plane.plane, std::move(sections), same_vertex_tolerance(plane.plane, tolerance), in);
+  if (!section) return section.error();
+  plane.vertices = std::move(section->vertices);
+  plane.input = std::move(section->input);
+  plane.walls = std::move(section->walls);
+  return plane;
+}
+
+void tell_of_coincidences(const PlaneFrames& frames, FramedSections& out) {
+  out.pencils = frames.pencils;
+  out.common_points = frames.points;
+  if (frames.pencils)
+    out.notes.push_back(count_of(frames.pencils, "line") + " of three or more planes kept exactly");
+  if (frames.points)
+    out.notes.push_back(count_of(frames.points, "point") + " of four or more planes kept exactly");
+  if (frames.lost_pencils)
+    out.notes.push_back(count_of(frames.lost_pencils, "line") +
+                        " of three or more planes not kept: sliver cells may appear there");
+  if (frames.lost_points)
+    out.notes.push_back(count_of(frames.lost_points, "point") +
+                        " of four or more planes not kept: sliver cells may appear there");
+}
+
+}  // namespace
+
+Result<FramedSections> frame_sections(const Sections& in, double plane_tolerance, const Context& context) {
+  if (!(plane_tolerance >= 0 && plane_tolerance <= 0.1))
+    return Error{ErrorCode::usage, "the plane tolerance must be between 0 and 0.1", in.source};
+  Result<NormalisedSections> normalised = normalise(in, plane_tolerance);
+  if (!normalised) return normalised.error();
+
+  FramedSections out;
+  out.notes = std::move(normalised->notes);
+  out.warnings = std::move(normalised->warnings);
+  out.diagonal = normalised->diagonal;
+  if (out.diagonal == 0) {
+    out.warnings.push_back("no section has a contour");
+    return out;
+  }
+  out.grid = WorldGrid(normalised->low, normalised->high);
+  if (!out.grid.exact())
+    out.notes.push_back(
+        "the data are far from the origin for their size: coordinates are rounded when written");
+  const double radius = std::ceil(out.diagonal / out.grid.unit() / 2), tolerance = 2 * radius * kCoincidence;
+
+  const std::vector<Candidate> candidates = collect_candidates(*normalised, out);
+  Groups groups = group_equal(candidates, radius, tolerance);
+  std::vector<PlaneWish> wishes;
+  for (const auto& group : groups) wishes.push_back(wish_of(group));
+  if (context.cancelled()) return Error{ErrorCode::cancelled, "cancelled", in.source};
+  PlaneFrames frames = frame_planes(wishes, static_cast<std::int64_t>(radius), tolerance);
+  tell_of_coincidences(frames, out);
+
+  for (const Framing& f : sort_and_join(std::move(frames.planes), std::move(groups))) {
+    if (context.cancelled()) return Error{ErrorCode::cancelled, "cancelled", in.source};
+    Result<FramedPlane> plane = finish_plane(f, tolerance, in, out);
+    if (!plane) return plane.error();
+    out.planes.push_back(std::move(*plane));
+  }
+  return out;
+}
+
+}  // namespace crossloft

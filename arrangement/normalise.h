@@ -1,0 +1,39 @@
+#pragma once
+/// The checked input: per plane distinct vertices and the walls between inside and outside, still in doubles.
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "../geom/result.h"
+#include "framed_sections.h"
+#include "sections.h"
+
+namespace crossloft {
+
+/// A plane of the file with what is left of its section.
+struct WallSection {
+  std::uint32_t source = kNone;  ///< position in the file
+  Vec3 normal;                   ///< scaled by a power of two: largest component in [0.5, 1)
+  double offset = 0;             ///< scaled alike
+  std::vector<Vec3> vertices;    ///< distinct, in lexicographic order, no isolated one; no negative zero
+  std::vector<WallEdge> walls;   ///< distinct, ordered by (a, b); every vertex has even degree >= 2
+  double off_plane = 0;          ///< largest distance of a vertex from the plane
+};
+
+struct NormalisedSections {
+  std::vector<WallSection> sections;  ///< one for each plane of the file, in file order
+  Vec3 low, high;                     ///< bounding box of all vertices; 0 without any
+  double diagonal = 0;                ///< of that box
+  std::vector<std::string> notes, warnings;
+};
+
+/// Checks the input and reduces it to walls, as frame_sections() says; see there for the errors.
+/// O(v log v) for v vertices and edges.
+Result<NormalisedSections> normalise(const Sections& sections, double plane_tolerance);
+
+/// Cancels equal walls in pairs and drops those of zero length; of an odd number of equal ones the first in
+/// the file remains. Brings the rest into order. O(w log w).
+void cancel_pairs(std::vector<WallEdge>& walls);
+
+}  // namespace crossloft

@@ -1,0 +1,46 @@
+#include "grid.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace crossloft {
+namespace {
+
+constexpr int kDataBits = 48;
+constexpr double kExactIntegers = 9007199254740992.0;  // 2^53
+
+Vec3 scale(Vec3 v, int exponent) {
+  return {std::ldexp(v.x, exponent), std::ldexp(v.y, exponent), std::ldexp(v.z, exponent)};
+}
+double largest(Vec3 v) { return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}); }
+Vec3 round_up_half(Vec3 v) { return {std::floor(v.x + 0.5), std::floor(v.y + 0.5), std::floor(v.z + 0.5)}; }
+
+}  // namespace
+
+WorldGrid::WorldGrid(Vec3 low, Vec3 high) {
+  // Halved before the subtraction, which could overflow.
+  const double half = largest(scale(high, -1) - scale(low, -1));
+  int bits = 0;  // half < 2^bits
+  std::frexp(half == 0 ? 1.0 : half, &bits);
+  exponent_ = kDataBits - bits;
+  shift_ = round_up_half(scale(low, exponent_ - 1) + scale(high, exponent_ - 1));
+}
+
+Vec3 WorldGrid::scaled(Vec3 input) const { return scale(input, exponent_) - shift_; }
+
+LatticeVector WorldGrid::to_lattice(Vec3 input) const {
+  const Vec3 r = round_up_half(scaled(input));
+  return {static_cast<std::int64_t>(r.x), static_cast<std::int64_t>(r.y), static_cast<std::int64_t>(r.z)};
+}
+
+Vec3 WorldGrid::from_lattice(const LatticePoint& p) const {
+  return scale(Vec3{p.x, p.y, p.z} + shift_, -exponent_);
+}
+
+double WorldGrid::unit() const { return std::ldexp(1.0, -exponent_); }
+
+bool WorldGrid::exact() const {
+  return largest(shift_) + static_cast<double>(kLatticeLimit) <= kExactIntegers;
+}
+
+}  // namespace crossloft
