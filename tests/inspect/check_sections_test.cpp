@@ -1,0 +1,122 @@
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "../../inspect/check.h"
+#include "../../inspect/slice.h"
+#include "shapes.h"
+
+using namespace crossloft;
+using namespace crossloft::test;
+
+namespace {
+
+Sections sliced(const Surface& mesh, const std::vector<CuttingPlane>& planes) {
+  Result<Sections> result = slice(mesh, planes);
+  REQUIRE(result.ok());
+  return *result;
+}
+
+PlaneSection square(double z, double low, double high) {
+  PlaneSection s;
+  s.normal = {0, 0, 1};
+  s.offset = -z;
+  s.vertices = {{low, low, z}, {high, low, z}, {high, high, z}, {low, high, z}};
+  for (std::uint32_t k = 0; k < 4; ++k) s.edges.push_back({k, (k + 1) % 4, 1, 0, 0, 0});
+  return s;
+}
+
+PlaneCheck check_one(const Surface& mesh, const PlaneSection& section) {
+  Sections sections;
+  sections.planes.push_back(section);
+  return check_sections(mesh, sections).planes[0];
+}
+
+}  // namespace
+
+TEST_CASE("a mesh agrees with its own slices to rounding") {
+  const Surface mesh = torus(1, 0.4, 80, 40);
+  const Bounds box = bounds_of(mesh.points);
+  for (const auto& planes : {random_planes(box, 10, 1), rotational_planes(box, 5), parallel_planes(box, 7)}) {
+    const SectionCheck r = check_sections(mesh, sliced(mesh, planes));
+    CHECK(r.planes.size() == planes.size());
+    CHECK(r.section_area > 0.5);
+    CHECK(r.difference_area < 1e-13);
+    CHECK(r.distance < 1e-12);
+  }
+}
+
+TEST_CASE("regions with solid on one side only belong to the cross-section") {
+  for (const double z : {0.0, 1.0}) {
+    const PlaneCheck r = check_one(cube(), square(z, 0, 1));
+    CHECK(r.surface_area == doctest::Approx(1));
+    CHECK(r.section_area == doctest::Approx(1));
+    CHECK(r.difference_area() < 1e-14);
+    CHECK(r.distance < 1e-14);
+  }
+}
+
+TEST_CASE("a step: below the plane all of it, above only half, which leaves no inner boundary") {
+  Surface mesh = cube();
+  append(mesh, moved(cube(), {0.5, 0, 1}));
+  append(mesh, moved(cube(), {-0.5, 0, 1}));
+  const PlaneCheck r = check_one(mesh, square(1, 0, 1));
+  CHECK(r.surface_area == doctest::Approx(2));
+  CHECK(r.extra_area == doctest::Approx(1));
+  CHECK(r.missing_area < 1e-14);
+  CHECK(r.distance == doctest::Approx(0.5));
+  Surface half = cube();
+  Surface top = moved(cube(), {0, 0, 1});
+  for (Vec3& p : top.points) p.x *= 0.5;
+  append(half, top);
+  CHECK(check_one(half, square(1, 0, 1)).difference_area() < 1e-14);
+  CHECK(check_one(half, square(1, 0, 1)).distance < 1e-14);
+}
+
+TEST_CASE("vertices off the plane by less than the tolerance count as on it") {
+  Surface mesh = cube();
+  for (std::size_t k = 4; k < 8; ++k) mesh.points[k].z += k % 2 == 0 ? 1e-7 : -1e-7;
+  const PlaneCheck r = check_one(mesh, square(1, 0, 1));
+  CHECK(r.difference_area() < 1e-14);
+  CHECK(r.off_plane == doctest::Approx(1e-7));
+}
+
+TEST_CASE("missing and extra areas and the distance are measured") {
+  const PlaneCheck smaller = check_one(cube(), square(0.5, 0.25, 0.75));
+  CHECK(smaller.extra_area == doctest::Approx(0.75));
+  CHECK(smaller.missing_area == 0);
+  CHECK(smaller.distance == doctest::Approx(std::sqrt(2.0) / 4));
+  const PlaneCheck shifted = check_one(moved(cube(), {0.25, 0, 0}), square(0.5, 0, 1));
+  CHECK(shifted.extra_area == doctest::Approx(0.25));
+  CHECK(shifted.missing_area == doctest::Approx(0.25));
+  CHECK(shifted.distance == doctest::Approx(0.25));
+  const PlaneCheck gone = check_one(cube(), square(5, 0, 1));
+  CHECK(gone.surface_area == 0);
+  CHECK(gone.missing_area == doctest::Approx(1));
+  CHECK(std::isinf(gone.distance));
+  PlaneSection empty = square(5, 0, 1);
+  empty.edges.clear();
+  CHECK(check_one(cube(), empty).distance == 0);
+}
+
+TEST_CASE("crossing outlines have exact areas") {
+  PlaneSection diamond = square(0.5, 0, 1);
+  diamond.vertices = {{0.5, -0.5, 0.5}, {1.5, 0.5, 0.5}, {0.5, 1.5, 0.5}, {-0.5, 0.5, 0.5}};
+  const PlaneCheck r = check_one(cube(), diamond);
+  CHECK(r.section_area == doctest::Approx(2));
+  CHECK(r.missing_area == doctest::Approx(1));
+  CHECK(r.extra_area < 1e-14);
+}
+
+TEST_CASE("materials and doubled edges: even-odd over walls only") {
+  PlaneSection s = square(0.5, 0, 1);
+  s.vertices.push_back({0.5, 0, 0.5});
+  s.vertices.push_back({0.5, 1, 0.5});
+  s.edges.push_back({4, 5, 1, 2, 1, 0});  // between two materials
+  s.edges.push_back({4, 5, 1, 0, 2, 0});
+  s.edges.push_back({5, 4, 1, 0, 3, 0});  // cancels
+  const PlaneCheck r = check_one(cube(), s);
+  CHECK(r.section_area == doctest::Approx(1));
+  CHECK(r.difference_area() < 1e-14);
+  CHECK(r.distance < 1e-14);
+}
