@@ -9,8 +9,8 @@ struct SineCosine {
   double sine = 0, cosine = 1;
 };
 
-/// Of 2 pi turns, for |turns| <= 2^20. Exact at multiples of an eighth turn but for rounding; the error is
-/// below 4e-16. Taylor series on [0, pi/4]: the first term left out is below 1e-17.
+/// Of 2 pi turns, for |turns| <= 2^20. Exact at multiples of a quarter turn, else the
+/// error is below 4e-16. Taylor series on [0, pi/4]: the first term left out is below 1e-17.
 inline SineCosine circle(double turns) {
   const double whole = std::floor(turns);
   const double eighths = 8 * (turns - whole);

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "exact_orient3d.h"
+#include "../geom/predicates.h"
 
 namespace crossloft {
 namespace {
@@ -13,7 +13,7 @@ constexpr int next(int k) { return k == 2 ? 0 : k + 1; }
 
 /// Side of the triangle's plane; equal corners are the frequent zero and need no arithmetic.
 int side(const Corners& t, const Vec3& p) {
-  return p == t[0] || p == t[1] || p == t[2] ? 0 : exact_orient3d(t[0], t[1], t[2], p);
+  return p == t[0] || p == t[1] || p == t[2] ? 0 : orient3d(t[0], t[1], t[2], p);
 }
 
 /// On which side of each edge of t the line pq passes; the same three signs mean through the interior.
@@ -21,7 +21,7 @@ Signs line_sides(const Vec3& p, const Vec3& q, const Corners& t) {
   Signs s{};
   for (int k = 0; k < 3; ++k) {
     const Vec3 &a = t[k], &b = t[next(k)];
-    s[k] = p == a || p == b || q == a || q == b ? 0 : exact_orient3d(p, q, a, b);
+    s[k] = p == a || p == b || q == a || q == b ? 0 : orient3d(p, q, a, b);
   }
   return s;
 }
@@ -54,7 +54,7 @@ bool off_plane_point(const Corners& t, Vec3& apex) {
   for (const Vec3& moved : {Vec3{with_gap(a.x, extent), a.y, a.z}, Vec3{a.x, with_gap(a.y, extent), a.z},
                             Vec3{a.x, a.y, with_gap(a.z, extent)}}) {
     apex = moved;
-    if (exact_orient3d(t[0], t[1], t[2], moved) != 0) return true;
+    if (orient3d(t[0], t[1], t[2], moved) != 0) return true;
   }
   return false;
 }
@@ -62,7 +62,7 @@ bool off_plane_point(const Corners& t, Vec3& apex) {
 /// Some edge of a, counter-clockwise by `turn` seen from `apex`, has all of b on its outer side or on itself.
 bool edge_separates(const Corners& a, const Corners& b, const Vec3& apex, int turn) {
   for (int k = 0; k < 3; ++k) {
-    const auto inside = [&](const Vec3& p) { return exact_orient3d(a[k], a[next(k)], p, apex) * turn > 0; };
+    const auto inside = [&](const Vec3& p) { return orient3d(a[k], a[next(k)], p, apex) * turn > 0; };
     if (!inside(b[0]) && !inside(b[1]) && !inside(b[2])) return true;
   }
   return false;
@@ -72,7 +72,7 @@ bool edge_separates(const Corners& a, const Corners& b, const Vec3& apex, int tu
 bool coplanar_overlap(const Corners& a, const Corners& b) {
   Vec3 apex;
   if (!off_plane_point(a, apex)) return false;
-  const int turn_a = exact_orient3d(a[0], a[1], a[2], apex), turn_b = exact_orient3d(b[0], b[1], b[2], apex);
+  const int turn_a = orient3d(a[0], a[1], a[2], apex), turn_b = orient3d(b[0], b[1], b[2], apex);
   return turn_b != 0 && !edge_separates(a, b, apex, turn_a) && !edge_separates(b, a, apex, turn_b);
 }
 

@@ -38,11 +38,14 @@ TEST_CASE("a mesh agrees with its own slices to rounding") {
   const Surface mesh = torus(1, 0.4, 80, 40);
   const Bounds box = bounds_of(mesh.points);
   for (const auto& planes : {random_planes(box, 10, 1), rotational_planes(box, 5), parallel_planes(box, 7)}) {
-    const SectionCheck r = check_sections(mesh, sliced(mesh, planes));
+    const Sections sections = sliced(mesh, planes);
+    const SectionCheck strict = check_sections(mesh, sections, {1e-12}), r = check_sections(mesh, sections);
     CHECK(r.planes.size() == planes.size());
-    CHECK(r.section_area > 0.5);
-    CHECK(r.difference_area < 1e-13);
-    CHECK(r.distance < 1e-12);
+    CHECK(strict.section_area > 0.5);
+    CHECK(strict.difference_area < 1e-13);
+    CHECK(strict.distance < 1e-12);
+    CHECK(r.difference_area < 1e-5);  // vertices near a plane by chance count as on it
+    CHECK(r.distance < 1e-4);
   }
 }
 
