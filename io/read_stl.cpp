@@ -70,6 +70,9 @@ bool is_binary(std::string_view bytes) {
 }
 
 Result<Surface> parse_binary(std::string_view bytes, std::string name, const Context& context) {
+  if (bytes.size() < kHeaderBytes + kCountBytes) {
+    return Error{.code = ErrorCode::truncated, .message = "the file ends within its header", .file = std::move(name)};
+  }
   const std::uint64_t facets = facets_of_binary(bytes);
   if (bytes.size() < kHeaderBytes + kCountBytes + kFacetBytes * facets) {
     return Error{.code = ErrorCode::truncated,

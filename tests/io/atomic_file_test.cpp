@@ -1,0 +1,114 @@
+#include "../../io/atomic_file.h"
+
+#include <csignal>
+#include <utility>
+
+#include <sys/resource.h>
+
+#include <doctest/doctest.h>
+
+#include "scratch.h"
+
+using namespace crossloft;
+namespace fs = std::filesystem;
+
+TEST_CASE("a file is written whole and leaves nothing beside it") {
+  const Scratch scratch;
+  const std::string bytes("a\0b\r\n\xFF", 6);
+  REQUIRE(write_file(scratch.path("f"), bytes).ok());
+  CHECK(*read_file(scratch.path("f")) == bytes);
+  REQUIRE(write_file(scratch.path("f"), "").ok());
+  CHECK(read_file(scratch.path("f"))->empty());
+  CHECK(scratch.files() == 1);
+}
+
+TEST_CASE("without commit the target stays as it was") {
+  const Scratch scratch;
+  scratch.add("f", "old");
+  {
+    Result<AtomicFile> file = AtomicFile::create(scratch.path("f"));
+    REQUIRE(file.ok());
+    file->append("new");
+    const AtomicFile moved = std::move(*file);
+    CHECK(scratch.files() == 2);
+    CHECK(scratch.bytes("f") == "old");
+  }
+  CHECK(scratch.files() == 1);
+  CHECK(scratch.bytes("f") == "old");
+}
+
+TEST_CASE("two writers of one target do not meet; the last to commit wins") {
+  const Scratch scratch;
+  Result<AtomicFile> first = AtomicFile::create(scratch.path("f"));
+  Result<AtomicFile> second = AtomicFile::create(scratch.path("f"));
+  REQUIRE((first.ok() && second.ok()));
+  first->append("first");
+  second->append("second");
+  CHECK(second->commit().ok());
+  CHECK(first->commit().ok());
+  CHECK(scratch.bytes("f") == "first");
+  CHECK(scratch.files() == 1);
+}
+
+TEST_CASE("a full disk is an error that leaves the old file and no other") {
+  const Scratch scratch;
+  scratch.add("f", "old");
+  // A limit on the size of files fails as a full disk does, at the write that meets it.
+  rlimit before{};
+  REQUIRE(getrlimit(RLIMIT_FSIZE, &before) == 0);
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  rlimit small = before;
+  small.rlim_cur = 1000;
+  REQUIRE(setrlimit(RLIMIT_FSIZE, &small) == 0);
+  const Result<Done> at_close = write_file(scratch.path("f"), std::string(1001, 'x'));
+  const Result<Done> at_write = write_file(scratch.path("f"), std::string(1 << 20, 'x'));
+  setrlimit(RLIMIT_FSIZE, &before);
+  std::signal(SIGXFSZ, handler);
+
+  for (const Result<Done>& result : {at_close, at_write}) {
+    REQUIRE_FALSE(result.ok());
+    CHECK(result.error().code == ErrorCode::file_not_writable);
+    CHECK(result.error().file == scratch.path("f"));
+  }
+  CHECK(scratch.bytes("f") == "old");
+  CHECK(scratch.files() == 1);
+}
+
+TEST_CASE("targets that can't be written") {
+  const Scratch scratch;
+  CHECK(write_file(scratch.path("none/f"), "x").error().code == ErrorCode::file_not_writable);
+  CHECK(write_file(scratch.path(), "x").error().message == "cannot be written: it is a directory");
+  CHECK(write_file("", "x").error().code == ErrorCode::file_not_writable);
+  if (fs::exists("/dev/full")) {
+    CHECK(write_file("/dev/full", "x").error().code == ErrorCode::file_not_writable);
+    CHECK(fs::is_character_file("/dev/full"));
+  }
+  if (geteuid() != 0) {  // root may write anything
+    scratch.add("locked", "old");
+    fs::permissions(scratch.path("locked"), fs::perms::owner_read);
+    CHECK(write_file(scratch.path("locked"), "x").error().code == ErrorCode::file_not_writable);
+    CHECK(scratch.bytes("locked") == "old");
+  }
+}
+
+TEST_CASE("a link is followed and permissions stay") {
+  const Scratch scratch;
+  scratch.add("f", "old");
+  fs::permissions(scratch.path("f"), fs::perms::owner_read | fs::perms::owner_write);
+  fs::create_symlink(scratch.path("f"), scratch.path("link"));
+  REQUIRE(write_file(scratch.path("link"), "new").ok());
+  CHECK(fs::is_symlink(scratch.path("link")));
+  CHECK(scratch.bytes("f") == "new");
+  CHECK(fs::status(scratch.path("f")).permissions() == (fs::perms::owner_read | fs::perms::owner_write));
+}
+
+TEST_CASE("files that can't be read say why") {
+  const Scratch scratch;
+  CHECK(read_file(scratch.path("none")).error().message == "cannot be read: No such file or directory");
+  CHECK(read_file(scratch.path()).error().message == "cannot be read: it is a directory");
+  if (geteuid() != 0) {
+    scratch.add("locked", "x");
+    fs::permissions(scratch.path("locked"), fs::perms::none);
+    CHECK(read_file(scratch.path("locked")).error().message == "cannot be read: Permission denied");
+  }
+}
