@@ -23,8 +23,9 @@ class Generator {
 
   /// Normals up to `normal_limit` in every component; origin within the limit of coordinates.
   LatticePlane plane(std::int64_t normal_limit, std::int64_t coordinate_limit) {
-    std::int64_t edge = 1;
+    std::int64_t edge = 1;  // a component of the normal is at most 2 edge^2
     while (2 * (edge * 2) * (edge * 2) <= normal_limit) edge *= 2;
+    while (2 * (edge + (edge >> 6)) * (edge + (edge >> 6)) <= normal_limit && edge >= 64) edge += edge >> 6;
     for (;;) {
       const LatticePlane p = make_lattice_plane(vector(coordinate_limit), vector(edge), vector(edge));
       if (p.normal != LatticeVector{0, 0, 0}) return p;

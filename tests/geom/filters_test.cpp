@@ -1,0 +1,125 @@
+// Recomputes every error constant of the filters in rational arithmetic, operation by operation, and checks
+// that the constant in the source covers it and wastes nothing.
+
+#include <doctest/doctest.h>
+#include <gmpxx.h>
+
+#include "../../geom/double_filters.h"
+#include "../../geom/lattice_filters.h"
+
+using namespace crossloft;
+
+namespace {
+
+const mpq_class kUnit(filters::kU);
+
+/// What is known of a computed value: its size and its distance from the true one, as multiples of the product
+/// of the maxima that the bound is expressed in.
+struct Tracked {
+  mpq_class size, error;
+};
+
+Tracked rounded(const mpq_class& size, const mpq_class& error) {
+  return {size * (1 + kUnit), error + size * kUnit};
+}
+Tracked operator+(const Tracked& a, const Tracked& b) { return rounded(a.size + b.size, a.error + b.error); }
+Tracked operator-(const Tracked& a, const Tracked& b) { return a + b; }
+Tracked operator*(const Tracked& a, const Tracked& b) {
+  return rounded(a.size * b.size, a.size * b.error + b.size * a.error + a.error * b.error);
+}
+
+/// A difference at its column's maximum: exact on the lattice, rounded for plain doubles.
+const Tracked kExact{1, 0};
+const Tracked kRounded{1, kUnit};
+
+/// A lift with the largest computed one as unit: `terms` squares of relative error known, all positive.
+Tracked lift(bool rounded_differences, int squares) {
+  mpq_class growth = 1 + kUnit;  // the square's own rounding
+  const mpq_class away = 1 / (1 - kUnit);
+  if (rounded_differences) growth *= away * away;  // d = computed * (1 + e), |e| <= u, backwards
+  for (int i = 1; i < squares; ++i) growth *= 1 + kUnit;
+  return {1, growth * growth - growth};  // |L_c - L| <= (growth - 1) L <= (growth - 1) growth L_c, generously
+}
+
+Tracked det2_of(const Tracked& d) { return d * d - d * d; }
+Tracked det3_of(const Tracked& d) {
+  const Tracked term = det2_of(d) * d;
+  return (term - term) + term;
+}
+Tracked incircle_of(const Tracked& d, const Tracked& l) {
+  const Tracked term = det2_of(d) * l;
+  return (term - term) + term;
+}
+Tracked insphere_of(const Tracked& d, const Tracked& l) {
+  const Tracked term = l * det3_of(d), pair = term - term;
+  return pair + pair;
+}
+
+/// The bound itself: constant * (at most four factors) is rounded five times downwards at worst, and one more
+/// addition of the blur.
+void check_constant(double constant, const Tracked& determinant) {
+  mpq_class least = mpq_class(constant);
+  for (int i = 0; i < 6; ++i) least *= 1 - kUnit;
+  CHECK(least >= determinant.error);
+  CHECK(least <= determinant.error * mpq_class(101, 100));
+}
+
+}  // namespace
+
+TEST_CASE("constants on the lattice: exact differences") {
+  check_constant(filters::kOrient2dError, det2_of(kExact));
+  check_constant(filters::kOrient3dError, det3_of(kExact));
+  check_constant(filters::kIncircleError, incircle_of(kExact, lift(false, 3)));
+  check_constant(filters::kInsphereError, insphere_of(kExact, lift(false, 3)));
+}
+
+TEST_CASE("constants on plain doubles: rounded differences") {
+  check_constant(filters::kRoundedOrient2dError, det2_of(kRounded));
+  check_constant(filters::kRoundedOrient3dError, det3_of(kRounded));
+  check_constant(filters::kRoundedIncircleError, incircle_of(kRounded, lift(true, 2)));
+  check_constant(filters::kRoundedInsphereError, insphere_of(kRounded, lift(true, 3)));
+}
+
+TEST_CASE("constant of side_of_plane: three terms that sum to the unit") {
+  // Products round by u of the whole together; the two sums are at most the whole.
+  Tracked sum{1, 0};
+  for (int i = 0; i < 3; ++i) sum = rounded(sum.size, sum.error);
+  check_constant(kSideOfPlaneError, sum);
+}
+
+TEST_CASE("room for higher orders and for the rounding of a bound") {
+  mpq_class growth = 1;
+  for (int i = 0; i < 20; ++i) growth *= 1 + kUnit;
+  CHECK(mpq_class(filters::kRoom) > growth);
+}
+
+TEST_CASE("blur: coordinates of rational points and their differences") {
+  const mpq_class largest_ulp = mpq_class(kLatticeLimit) * kUnit;  // of doubles in [2^49, 2^50)
+  const mpq_class half_ulp = largest_ulp / 2;
+  const mpq_class difference_half_ulp = mpq_class(2 * kLatticeLimit) * kUnit / 2;  // in [2^50, 2^51)
+  CHECK(2 * half_ulp + difference_half_ulp <= mpq_class(kBlur));
+}
+
+TEST_CASE("range of the filter on doubles") {
+  const double low = filters::kSmallest, high = filters::kLargest;
+  CHECK(24 * 3 * high * high * high * high * high < 0x1p+1000);
+  // 100 underflows, each times three entries and a lift of the largest size, within the room of the least bound.
+  const double room = filters::kRoundedOrient3dError * 0x1p-49;
+  mpq_class underflow(0x1p-1074);
+  underflow *= mpq_class(100) * mpq_class(high) * mpq_class(high) * mpq_class(high);
+  mpq_class least = mpq_class(room);
+  for (int i = 0; i < 5; ++i) least *= mpq_class(low);
+  CHECK(underflow < least);
+}
+
+TEST_CASE("undecided on NaN, infinity and out of range") {
+  const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
+  for (const double bad : {nan, inf, -inf, 1e-200, 1e200, 1.7e308}) {
+    CAPTURE(bad);
+    const Vec3 a{0, 0, 0}, b{bad, 0, 0}, c{0, bad, 0}, d{0, 0, bad};
+    CHECK(orient3d_filter(a, b, c, d) == 0);
+    CHECK(insphere_filter(a, b, c, d, Vec3{bad, bad, bad}) == 0);
+    CHECK(orient2d_filter(Vec2{0, 0}, Vec2{bad, 0}, Vec2{0, bad}) == 0);
+    CHECK(incircle_filter(Vec2{0, 0}, Vec2{bad, 0}, Vec2{0, bad}, Vec2{1, bad}) == 0);
+  }
+}

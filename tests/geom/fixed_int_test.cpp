@@ -1,0 +1,94 @@
+#include "../../geom/fixed_int.h"
+
+#include <doctest/doctest.h>
+
+#include "../../geom/fixed_division.h"
+#include "rational_reference.h"
+
+using namespace crossloft;
+using reference::integer;
+
+namespace {
+
+constexpr std::uint64_t kSeed = 20260404;
+
+/// Random, or one of the values at which carries and signs go wrong.
+template <unsigned Bits>
+FixedInt<Bits> value(std::mt19937_64& engine) {
+  FixedInt<Bits> one(1), r;
+  const FixedInt<Bits> limit = shift_left(one, static_cast<int>(Bits));
+  switch (engine() % 8) {
+    case 0: return r;
+    case 1: return one;
+    case 2: return -one;
+    case 3: return limit;
+    case 4: return -limit;
+    default: break;
+  }
+  for (limbs::Limb& l : r.limb) l = engine() % 4 == 0 ? ~limbs::Limb{0} : engine();
+  r = shift_right(magnitude(r), static_cast<int>(64 * r.kLimbs - Bits));
+  return engine() % 2 == 0 ? r : -r;
+}
+
+template <unsigned A, unsigned B>
+void check_ring(std::mt19937_64& engine) {
+  for (int round = 0; round < 300; ++round) {
+    const auto a = value<A>(engine);
+    const auto b = value<B>(engine);
+    const mpz_class x = integer(a), y = integer(b);
+    CHECK(integer(a + b) == x + y);
+    CHECK(integer(a - b) == x - y);
+    CHECK(integer(a * b) == x * y);
+    CHECK(integer(-a) == -x);
+    CHECK(a.sign() == sgn(x));
+    CHECK((a - b).sign() == cmp(x, y) / (cmp(x, y) == 0 ? 1 : std::abs(cmp(x, y))));
+    CHECK(to_double(a) == doctest::Approx(x.get_d()));
+  }
+}
+
+}  // namespace
+
+TEST_CASE("sums and products agree with GMP at every number of limbs") {
+  MESSAGE("seed " << kSeed);
+  std::mt19937_64 engine(kSeed);
+  check_ring<0, 0>(engine);
+  check_ring<40, 50>(engine);
+  check_ring<62, 62>(engine);
+  check_ring<63, 51>(engine);
+  check_ring<126, 62>(engine);
+  check_ring<103, 51>(engine);
+  check_ring<126, 126>(engine);
+  check_ring<172, 122>(engine);
+  check_ring<173, 0>(engine);
+  check_ring<521, 348>(engine);
+  check_ring<900, 60>(engine);
+}
+
+TEST_CASE("division, greatest common divisor and rounding") {
+  std::mt19937_64 engine(kSeed + 1);
+  using Int = FixedInt<176>;
+  for (int round = 0; round < 1000; ++round) {
+    const Int n = magnitude(value<176>(engine));
+    Int d = magnitude(value<122>(engine).is_zero() ? Int(3) : Int(value<122>(engine)));
+    if (d.is_zero()) d = Int(7);
+    const mpz_class x = integer(n), y = integer(d);
+    const auto [quotient, remainder] = divide(n, d);
+    CHECK(integer(quotient) == x / y);
+    CHECK(integer(remainder) == x % y);
+    CHECK(integer(gcd(n, d)) == gcd(x, y));
+    // Nearest: no neighbour is closer.
+    const double q = round_quotient(n, d);
+    const mpq_class error = abs(mpq_class(mpq_class(q) - mpq_class(x) / mpq_class(y)));
+    for (const double other : {std::nextafter(q, 1e300), std::nextafter(q, -1e300)})
+      CHECK(error <= abs(mpq_class(mpq_class(other) - mpq_class(x) / mpq_class(y))));
+    CHECK(round_quotient(-n, d) == -q);
+  }
+}
+
+TEST_CASE("halves round to even") {
+  const FixedInt<100> odd(std::int64_t{(1LL << 53) + 1});
+  CHECK(to_double(odd) == 0x1p53);
+  CHECK(to_double(odd + FixedInt<100>(2)) == 0x1p53 + 4);
+  CHECK(round_quotient(odd, FixedInt<100>(2)) == 0x1p52);
+  CHECK(round_quotient(odd, FixedInt<100>(4)) == 0x1p51);
+}
