@@ -1,0 +1,39 @@
+#pragma once
+/// What several commands say in the same words on the command line.
+
+#include <CLI/CLI.hpp>
+
+#include <string>
+#include <vector>
+
+namespace crossloft::cli {
+
+/// Accepts paths that end in one of the extensions (".ply"), in any case.
+CLI::Validator extension_in(std::vector<std::string> extensions);
+
+inline const CLI::Validator& is_sections_file() {
+  static const CLI::Validator validator = extension_in({".contour", ".csl"});
+  return validator;
+}
+inline const CLI::Validator& is_surface_file() {
+  static const CLI::Validator validator = extension_in({".ply", ".obj", ".off", ".stl"});
+  return validator;
+}
+inline const CLI::Validator& is_solid_file() {
+  static const CLI::Validator validator = extension_in({".vtu", ".mesh"});
+  return validator;
+}
+
+/// A subcommand with its arguments' storage and an example that --help shows below the options. `run` is called
+/// with the parsed arguments after parsing succeeded.
+template <class Arguments, class Run>
+std::pair<CLI::App*, Arguments&> add_command(CLI::App& program, const char* name, const char* what,
+                                             const char* example, Run run) {
+  CLI::App* command = program.add_subcommand(name, what);
+  command->footer(std::string("Example:\n  ") + example);
+  auto arguments = std::make_shared<Arguments>();
+  command->callback([arguments, run] { run(*arguments); });
+  return {command, *arguments};
+}
+
+}  // namespace crossloft::cli

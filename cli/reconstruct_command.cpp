@@ -1,0 +1,82 @@
+#include <string>
+
+#include "../io/atomic_file.h"
+#include "../io/read_sections.h"
+#include "../io/write_mesh.h"
+#include "../io/write_sections.h"
+#include "../reconstruct/reconstruct.h"
+#include "arguments.h"
+#include "commands.h"
+#include "report_json.h"
+#include "summary.h"
+#include "terminal.h"
+
+namespace crossloft::cli {
+namespace {
+
+struct Arguments {
+  std::string input, surface, solid, report, sections;
+  std::string mode = "joint";
+  Options options;
+  unsigned threads = 0;
+  bool quiet = false;
+};
+
+PruneMode mode_named(const std::string& name) {
+  return name == "paper" ? PruneMode::paper : name == "paper-literal" ? PruneMode::paper_literal : PruneMode::joint;
+}
+
+/// The files that were asked for, one after the other; each appears whole or not at all.
+Result<Done> write_results(const Arguments& arguments, const Reconstruction& result, const Context& context) {
+  Result<Done> written = write_surface(arguments.surface, result.surface, context);
+  if (written && !arguments.solid.empty()) written = write_solid(arguments.solid, result.solid, context);
+  if (written && !arguments.sections.empty()) {
+    written = write_sections(arguments.sections, result.sections, context);
+  }
+  if (written && !arguments.report.empty()) {
+    written = write_file(arguments.report, report_json(result.report, {arguments.input, arguments.options}));
+  }
+  return written;
+}
+
+ExitCode run(Arguments arguments) {
+  Terminal terminal(arguments.quiet);
+  const Context context = terminal.context(arguments.threads);
+  arguments.options.mode = mode_named(arguments.mode);
+  const auto sections = read_sections(arguments.input, context);
+  if (!sections) return terminal.fail(sections.error());
+  const auto result = reconstruct(*sections, arguments.options, context);
+  if (!result) return terminal.fail(result.error());
+  const auto written = write_results(arguments, *result, context);
+  if (!written) return terminal.fail(written.error());
+  print_summary(terminal, result->report);
+  return kGood;
+}
+
+}  // namespace
+
+void add_reconstruct(CLI::App& program, ExitCode& outcome) {
+  auto [command, a] = add_command<Arguments>(
+      program, "reconstruct", "Sections in, watertight surface and solid out.",
+      "crossloft reconstruct bear.contour -o bear.ply --solid bear.vtu --report bear.json",
+      [&outcome](const Arguments& arguments) { outcome = run(arguments); });
+  command->add_option("FILE", a.input, "cross-sections")->required()->check(is_sections_file());
+  command->add_option("-o,--output", a.surface, "the surface")->required()->check(is_surface_file());
+  command->add_option("--solid", a.solid, "also the tetrahedra")->check(is_solid_file());
+  command->add_option("--mode", a.mode, "pruning: joint keeps most, paper as Boissonnat and Memari")->capture_default_str()
+      ->check(CLI::IsMember({"joint", "paper", "paper-literal"}));
+  command->add_option("--match-tolerance", a.options.match_tolerance,
+                      "crossings of two sections on their common line this near are one; a fraction of the diagonal")
+      ->capture_default_str()->check(CLI::Range(0.0, 1.0));
+  command->add_option("--plane-tolerance", a.options.plane_tolerance,
+                      "a vertex further from its plane is an error; a fraction of the diagonal")->capture_default_str()
+      ->check(CLI::Range(0.0, 1.0));
+  command->add_option("--report", a.report, "also a report (docs/report.md)")->check(extension_in({".json"}));
+  command->add_option("--dump-sections", a.sections, "also the sections as the solid meets them")
+      ->check(is_sections_file());
+  command->add_option("--threads", a.threads, "worker threads, 0: one per core; the result is the same")->capture_default_str()
+      ->check(CLI::Range(0, 1024));
+  command->add_flag("--quiet", a.quiet, "no summary, no notes, no progress bar");
+}
+
+}  // namespace crossloft::cli

@@ -1,0 +1,98 @@
+#include "report_json.h"
+
+#include <nlohmann/json.hpp>
+
+namespace crossloft::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json to_json(const StageSeconds& s) {
+  return {{"input", s.input}, {"arrangement", s.arrangement}, {"crossings", s.crossings}, {"faces", s.faces},
+          {"delaunay", s.delaunay}, {"pruning", s.pruning}, {"gluing", s.gluing}, {"total", s.total}};
+}
+
+Json to_json(const PlaneReport& p) {
+  return {{"plane", p.plane}, {"vertices", p.vertices}, {"edges", p.edges}, {"area", p.area},
+          {"flat_area", p.flat_area}, {"displacement", p.displacement}, {"off_plane", p.off_plane}};
+}
+
+Json to_json(const CellReport& c) {
+  return {{"faces", c.faces}, {"vertices", c.vertices}, {"tets_r0", c.tets_r0}, {"tets_r1", c.tets_r1},
+          {"tets_r2", c.tets_r2}, {"tets_r3", c.tets_r3}, {"bad_links", c.bad_links}};
+}
+
+Json to_json(const UnmatchedCrossing& u) {
+  return {{"plane", u.plane}, {"other_plane", u.other_plane}, {"point", {u.x, u.y, u.z}}};
+}
+
+template <class T>
+Json to_json(const std::vector<T>& items) {
+  Json list = Json::array();
+  for (const T& item : items) list.push_back(to_json(item));
+  return list;
+}
+
+Json to_json(const Options& o) {
+  return {{"match_tolerance", o.match_tolerance}, {"plane_tolerance", o.plane_tolerance},
+          {"on_tolerance", o.on_tolerance}};
+}
+
+Json input_part(const Report& r) {
+  return {{"diagonal", r.diagonal},
+          {"section_area", r.section_area},
+          {"displacement", r.displacement},
+          {"off_plane", r.off_plane},
+          {"merged_collinear", r.merged_collinear},
+          {"edge_splits", r.edge_splits},
+          {"planes", to_json(r.planes)}};
+}
+
+Json lines_part(const Report& r) {
+  return {{"crossings", r.crossings},
+          {"matched", r.matched_crossings},
+          {"on_line_vertices", r.on_line_vertices},
+          {"largest_match_gap", r.largest_match_gap},
+          {"disagreeing_vertices", r.disagreeing_vertices},
+          {"unmatched", to_json(r.unmatched)}};
+}
+
+Json arrangement_part(const Report& r) {
+  return {{"cells", r.arrangement_cells}, {"faces", r.arrangement_faces}, {"vertices", r.arrangement_vertices}};
+}
+
+Json result_part(const Report& r) {
+  return {{"tetrahedra", r.solid_tets},
+          {"triangles", r.surface_triangles},
+          {"vertices", r.surface_vertices},
+          {"vertex_copies", r.vertex_copies},
+          {"volume", r.volume},
+          {"flat_area", r.flat_area},
+          {"flat_regions", r.flat_regions},
+          {"pinched_vertices", r.pinched_vertices},
+          {"pinched_edges", r.pinched_edges},
+          {"split_edges", r.split_edges},
+          {"bad_links", r.bad_links}};
+}
+
+}  // namespace
+
+std::string report_json(const Report& report, const ReportOrigin& origin) {
+  Json json;
+  json["report_version"] = kReportVersion;
+  json["program"] = "crossloft " CROSSLOFT_VERSION;
+  json["file"] = origin.input;
+  json["mode"] = report.mode;
+  json["options"] = to_json(origin.options);
+  json["seconds"] = to_json(report.seconds);
+  json["input"] = input_part(report);
+  json["lines"] = lines_part(report);
+  json["arrangement"] = arrangement_part(report);
+  json["result"] = result_part(report);
+  json["cells"] = to_json(report.cells);
+  json["notes"] = report.notes;
+  json["warnings"] = report.warnings;
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace crossloft::cli

@@ -1,0 +1,21 @@
+#pragma once
+/// The report of a reconstruction as JSON; keys and their meaning are in docs/report.md.
+
+#include <string>
+
+#include "../reconstruct/reconstruct.h"
+
+namespace crossloft::cli {
+
+/// Grows by one with every change that an old reader would stumble over.
+inline constexpr int kReportVersion = 1;
+
+struct ReportOrigin {
+  std::string input;  ///< as the user named it
+  Options options;
+};
+
+/// Indented, with a line break at the end. Numbers that are not finite become null.
+std::string report_json(const Report& report, const ReportOrigin& origin);
+
+}  // namespace crossloft::cli

@@ -1,0 +1,12 @@
+#pragma once
+/// What a person wants to know about a reconstruction, in a few lines.
+
+#include "../reconstruct/report.h"
+#include "terminal.h"
+
+namespace crossloft::cli {
+
+/// Notes and warnings of the report to stderr, its main numbers to stdout.
+void print_summary(Terminal& terminal, const Report& report);
+
+}  // namespace crossloft::cli

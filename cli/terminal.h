@@ -1,0 +1,45 @@
+#pragma once
+/// The user's side of a command: results on stdout, everything else on stderr, Ctrl-C.
+
+#include <set>
+#include <string>
+#include <string_view>
+
+#include "../geom/context.h"
+#include "../geom/result.h"
+#include "exit_code.h"
+
+namespace crossloft::cli {
+
+/// Makes Ctrl-C and SIGTERM raise the cancel flag of every context made afterwards; a second one kills.
+void catch_interrupts();
+
+/// Results are printed by print(); notes, warnings, errors and the progress bar go to stderr. The bar is drawn
+/// only if stderr is a terminal. Quiet leaves warnings and errors alone.
+class Terminal {
+ public:
+  explicit Terminal(bool quiet = false);
+  ~Terminal();
+  Terminal(const Terminal&) = delete;
+  Terminal& operator=(const Terminal&) = delete;
+
+  /// Logs and shows progress here, cancelled by Ctrl-C. Must not outlive the terminal.
+  Context context(unsigned threads = 1);
+
+  /// As printf, to stdout; nothing if quiet.
+  [[gnu::format(printf, 2, 3)]] void print(const char* format, ...);
+  /// A message on stderr; one that was said before is not repeated.
+  void say(LogLevel level, std::string_view text);
+  /// The error on stderr; the exit code that belongs to it.
+  ExitCode fail(const Error& error);
+
+ private:
+  void show_progress(std::string_view stage, double fraction);
+  void clear_progress();
+
+  bool quiet_, bar_;
+  std::string shown_;  ///< the progress line on the screen, empty if there is none
+  std::set<std::string, std::less<>> said_;
+};
+
+}  // namespace crossloft::cli
