@@ -1,11 +1,11 @@
 #pragma once
-/// Predicates over lattice points (geom/lattice.h) for the triangulations.
+/// Predicates over lattice points (geom/lattice.h) for the triangulations, their filters inlined.
 
 #include <cstdint>
 #include <span>
 #include <vector>
 
-#include "../geom/lattice.h"
+#include "../geom/lattice_filters.h"
 #include "point_predicates.h"
 
 namespace crossloft {
@@ -21,10 +21,13 @@ class LatticePredicates3 {
   std::uint32_t size() const { return static_cast<std::uint32_t>(points_.size()); }
   double coordinate(std::uint32_t i, int axis) const { return points_[i][axis]; }
   int orient3d(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) const {
-    return crossloft::orient3d(points_[a], points_[b], points_[c], points_[d]);
+    if (const int sign = orient3d_filter(points_[a], points_[b], points_[c], points_[d])) return sign;
+    return orient3d_exact(points_[a], points_[b], points_[c], points_[d]);
   }
   int insphere(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d, std::uint32_t e) const {
-    return crossloft::insphere(points_[a], points_[b], points_[c], points_[d], points_[e]);
+    if (const int sign = insphere_filter(points_[a], points_[b], points_[c], points_[d], points_[e]))
+      return sign;
+    return insphere_exact(points_[a], points_[b], points_[c], points_[d], points_[e]);
   }
   bool collinear(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
     return crossloft::collinear(points_[a], points_[b], points_[c]);
@@ -48,10 +51,13 @@ class LatticePredicates2 {
   std::uint32_t size() const { return static_cast<std::uint32_t>(points_->size()); }
   double coordinate(std::uint32_t i, int axis) const { return (*points_)[i][axis == 0 ? first_ : second_]; }
   int orient2d(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
-    return crossloft::orient2d(plane_, (*points_)[a], (*points_)[b], (*points_)[c]);
+    if (const int sign = orient2d_filter(plane_, (*points_)[a], (*points_)[b], (*points_)[c])) return sign;
+    return orient2d_exact(plane_, (*points_)[a], (*points_)[b], (*points_)[c]);
   }
   int incircle(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) const {
-    return crossloft::incircle(plane_, (*points_)[a], (*points_)[b], (*points_)[c], (*points_)[d]);
+    if (const int sign = incircle_filter(plane_, (*points_)[a], (*points_)[b], (*points_)[c], (*points_)[d]))
+      return sign;
+    return incircle_exact(plane_, (*points_)[a], (*points_)[b], (*points_)[c], (*points_)[d]);
   }
   int compare_lex(std::uint32_t a, std::uint32_t b) const {
     return crossloft::compare_lex((*points_)[a], (*points_)[b]);
