@@ -4,8 +4,8 @@
 ///
 /// Notation: u = 2^-53; every operation is exact times (1 + d), |d| <= u. Differences enter exactly as they
 /// are, with column maxima X, Y, Z; `a : b` beside a value says: size at most a, error at most b, in units of
-/// the product of the maxima and, for errors, of u to first order. The constants include the higher orders and
-/// the roundings of the bound itself; tests/geom/filters_test.cpp recomputes them in rationals.
+/// the product of the maxima and, for errors, of u to first order. The constants include the higher orders
+/// and the roundings of the bound itself; tests/geom/filters_test.cpp recomputes them in rationals.
 
 #include <algorithm>
 #include <cmath>
@@ -32,11 +32,15 @@ inline constexpr double kIncircleError = 46 * kU * kRoom;
 inline constexpr double kInsphereError = 256 * kU * kRoom;
 
 /// The sign of a determinant known to within `bound`; 0 if that does not tell, also for NaN.
-inline int decide(double det, double bound) { return static_cast<int>(det > bound) - static_cast<int>(det < -bound); }
+inline int decide(double det, double bound) {
+  return static_cast<int>(det > bound) - static_cast<int>(det < -bound);
+}
 
 inline double largest(double a, double b) { return std::max(std::fabs(a), std::fabs(b)); }
 inline double largest(double a, double b, double c) { return std::max(largest(a, b), std::fabs(c)); }
-inline double largest(double a, double b, double c, double d) { return std::max(largest(a, b), largest(c, d)); }
+inline double largest(double a, double b, double c, double d) {
+  return std::max(largest(a, b), largest(c, d));
+}
 
 /// A determinant, the largest differences of each column and the largest lift; unused ones stay 1.
 struct Estimate {
@@ -55,7 +59,8 @@ inline Estimate orient3d(const Vec3& p, const Vec3& q, const Vec3& r) {
 
 /// The lifts come from outside: they are |.|^2 in space even where the circle lies in a projected plane.
 inline Estimate incircle(Vec2 p, Vec2 q, Vec2 r, double lp, double lq, double lr) {
-  const double det = det2(q.x, q.y, r.x, r.y) * lp - det2(p.x, p.y, r.x, r.y) * lq + det2(p.x, p.y, q.x, q.y) * lr;
+  const double det =
+      det2(q.x, q.y, r.x, r.y) * lp - det2(p.x, p.y, r.x, r.y) * lq + det2(p.x, p.y, q.x, q.y) * lr;
   return {det, largest(p.x, q.x, r.x), largest(p.y, q.y, r.y), 1, std::max(std::max(lp, lq), lr)};
 }
 
@@ -65,8 +70,9 @@ inline Estimate insphere(const Vec3& p, const Vec3& q, const Vec3& r, const Vec3
   const double pqr = (p.z * qr - q.z * pr) + r.z * pq, qrs = (q.z * rs - r.z * qs) + s.z * qr;
   const double rsp = (r.z * sp + s.z * pr) + p.z * rs, spq = (s.z * pq + p.z * qs) + q.z * sp;
   const double lp = dot(p, p), lq = dot(q, q), lr = dot(r, r), ls = dot(s, s);
-  return {(lp * qrs - lq * rsp) + (lr * spq - ls * pqr), largest(p.x, q.x, r.x, s.x), largest(p.y, q.y, r.y, s.y),
-          largest(p.z, q.z, r.z, s.z), std::max(std::max(lp, lq), std::max(lr, ls))};
+  return {(lp * qrs - lq * rsp) + (lr * spq - ls * pqr), largest(p.x, q.x, r.x, s.x),
+          largest(p.y, q.y, r.y, s.y), largest(p.z, q.z, r.z, s.z),
+          std::max(std::max(lp, lq), std::max(lr, ls))};
 }
 
 }  // namespace crossloft::filters

@@ -1,10 +1,11 @@
 #pragma once
-/// The first stage of the predicates on arbitrary doubles, inline for triangulations of plain points: +-1 when
-/// that is certain, 0 when it cannot tell (then predicates.h has the answer), also for NaN and infinities.
+/// The first stage of the predicates on arbitrary doubles, inline for triangulations of plain points: +-1
+/// when that is certain, 0 when it cannot tell (then predicates.h has the answer), also for NaN and
+/// infinities.
 ///
-/// Unlike on the lattice a difference rounds, to within u of its computed size, which all bounds below take as
-/// an error of the entries; notation as in difference_filters.h. Maxima outside kSmallest..kLargest are left
-/// to the exact stage. Inside, nothing overflows (24 terms of at most 3 * 2^750), and an underflow costs
+/// Unlike on the lattice a difference rounds, to within u of its computed size, which all bounds below take
+/// as an error of the entries; notation as in difference_filters.h. Maxima outside kSmallest..kLargest are
+/// left to the exact stage. Inside, nothing overflows (24 terms of at most 3 * 2^750), and an underflow costs
 /// 2^-1075 times at most three more factors and a lift, in less than 100 operations: below 2^-600, while the
 /// room in a bound is above 2^-48 * 46 u * 2^-500.
 
@@ -27,9 +28,7 @@ inline constexpr double kRoundedIncircleError = 64 * kU * kRoom;
 /// det3 6 : 46, times lift 6 : 46 + 6*5 + 6 = 82; pairs 12 : 176; all 24 : 352 + 24.
 inline constexpr double kRoundedInsphereError = 376 * kU * kRoom;
 
-inline bool in_range(double a, double b) {
-  return std::min(a, b) >= kSmallest && std::max(a, b) <= kLargest;
-}
+inline bool in_range(double a, double b) { return std::min(a, b) >= kSmallest && std::max(a, b) <= kLargest; }
 inline bool in_range(double a, double b, double c) {
   return std::min(std::min(a, b), c) >= kSmallest && std::max(std::max(a, b), c) <= kLargest;
 }

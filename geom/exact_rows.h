@@ -1,6 +1,6 @@
 #pragma once
-/// Orientation and in-sphere determinants of homogeneous integer points (X, Y, Z) / W, W > 0, in the narrowest
-/// widths known: shared by the lattice predicates and those on doubles. For geom's sources only.
+/// Orientation and in-sphere determinants of homogeneous integer points (X, Y, Z) / W, W > 0, in the
+/// narrowest widths known: shared by the lattice predicates and those on doubles. For geom's sources only.
 ///
 /// With a point of W = 1 among them all others are taken relative to it (d = X - x W) and one row falls away.
 /// The lift of a row is X^2 + Y^2 + Z^2, W^2 times |p|^2. In the determinant with rows
@@ -54,13 +54,20 @@ auto in_circle_about(const P& p, const Q& q, const R& r) {
   return term(p, q, r) - term(q, p, r) + term(r, p, q);
 }
 
-/// In-sphere of (p, q, r, s, origin): positive if the origin is inside a positively oriented p, q, r, s.
+/// In-sphere of (p, q, r, s, origin): positive if the origin is inside a positively oriented p, q, r, s. The
+/// six minors are shared by the four 3x3 determinants.
 template <class P, class Q, class R, class S>
 auto in_sphere_about(const P& p, const Q& q, const R& r, const S& s) {
-  const auto term = [](const auto& lifted, const auto& a, const auto& b, const auto& c) {
-    return times_weight(times_weight(times_weight(lifted.lift() * det3(a, b, c), a.w), b.w), c.w);
+  const auto minor = [](const auto& a, const auto& b) { return det2(a.x, a.y, b.x, b.y); };
+  const auto pq = minor(p, q), pr = minor(p, r), ps = minor(p, s), qr = minor(q, r), qs = minor(q, s),
+             rs = minor(r, s);
+  const auto term = [](const auto& lifted, const auto& det, const auto& a, const auto& b, const auto& c) {
+    return times_weight(times_weight(times_weight(lifted.lift() * det, a.w), b.w), c.w);
   };
-  return (term(p, q, r, s) - term(q, p, r, s)) + (term(r, p, q, s) - term(s, p, q, r));
+  return (term(p, rs * q.z - qs * r.z + qr * s.z, q, r, s) -
+          term(q, rs * p.z - ps * r.z + pr * s.z, p, r, s)) +
+         (term(r, qs * p.z - ps * q.z + pq * s.z, p, q, s) -
+          term(s, qr * p.z - pr * q.z + pq * r.z, p, q, r));
 }
 
 /// In-circle of four points without a common origin.

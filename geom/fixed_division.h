@@ -1,6 +1,6 @@
 #pragma once
-/// Division, greatest common divisor and rounding of FixedInts. Plain bit by bit algorithms: they run once per
-/// constructed point, never in a predicate.
+/// Division, greatest common divisor and rounding of FixedInts. Plain bit by bit algorithms: they run once
+/// per constructed point, never in a predicate.
 
 #include <bit>
 #include <cmath>

@@ -84,9 +84,35 @@ struct FixedInt {
   friend bool operator==(const FixedInt&, const FixedInt&) = default;
 };
 
+#if defined(__SIZEOF_INT128__)
+/// Up to two limbs the compiler's own integer is the shortest code.
+namespace limbs {
+__extension__ using Native = __int128;
+__extension__ using UnsignedNative = unsigned __int128;
+template <unsigned Bits>
+Native to_native(const FixedInt<Bits>& v) {
+  if constexpr (v.kLimbs == 1) {
+    return static_cast<std::int64_t>(v.limb[0]);
+  } else {
+    return static_cast<Native>(static_cast<UnsignedNative>(v.limb[1]) << 64 | v.limb[0]);
+  }
+}
+template <unsigned Bits>
+FixedInt<Bits> from_native(Native v) {
+  FixedInt<Bits> r;
+  r.limb[0] = static_cast<Limb>(v);
+  if constexpr (r.kLimbs == 2) r.limb[1] = static_cast<Limb>(v >> 64);
+  return r;
+}
+}  // namespace limbs
+#endif
+
 template <unsigned A, unsigned B>
 auto operator+(const FixedInt<A>& a, const FixedInt<B>& b) {
   FixedInt<std::max(A, B) + 1> r;
+#if defined(__SIZEOF_INT128__)
+  if constexpr (r.kLimbs <= 2) return limbs::from_native<r.kBits>(limbs::to_native(a) + limbs::to_native(b));
+#endif
   limbs::Limb carry = 0;
   for (std::size_t i = 0; i < r.kLimbs; ++i) r.limb[i] = limbs::add(a.extended(i), b.extended(i), carry);
   return r;
@@ -95,6 +121,9 @@ auto operator+(const FixedInt<A>& a, const FixedInt<B>& b) {
 template <unsigned A, unsigned B>
 auto operator-(const FixedInt<A>& a, const FixedInt<B>& b) {
   FixedInt<std::max(A, B) + 1> r;
+#if defined(__SIZEOF_INT128__)
+  if constexpr (r.kLimbs <= 2) return limbs::from_native<r.kBits>(limbs::to_native(a) - limbs::to_native(b));
+#endif
   limbs::Limb carry = 1;
   for (std::size_t i = 0; i < r.kLimbs; ++i) r.limb[i] = limbs::add(a.extended(i), ~b.extended(i), carry);
   return r;
@@ -108,6 +137,9 @@ FixedInt<A> operator-(const FixedInt<A>& a) {
 template <unsigned A, unsigned B>
 auto operator*(const FixedInt<A>& a, const FixedInt<B>& b) {
   FixedInt<A + B> r;
+#if defined(__SIZEOF_INT128__)
+  if constexpr (r.kLimbs <= 2) return limbs::from_native<r.kBits>(limbs::to_native(a) * limbs::to_native(b));
+#endif
   constexpr std::size_t kA = FixedInt<A>::kLimbs, kB = FixedInt<B>::kLimbs, kR = FixedInt<A + B>::kLimbs;
   if constexpr (B == 0 && A == 0) {
     r.limb[0] = a.limb[0] * b.limb[0];
@@ -121,10 +153,13 @@ auto operator*(const FixedInt<A>& a, const FixedInt<B>& b) {
         r.limb[i + j] = limbs::multiply_add(a.limb[i], b.limb[j], r.limb[i + j], high, high);
       if (i + kB < kR) r.limb[i + kB] = high;
     }
-    const limbs::Limb mask_a = a.negative() ? ~limbs::Limb{0} : 0, mask_b = b.negative() ? ~limbs::Limb{0} : 0;
+    const limbs::Limb mask_a = a.negative() ? ~limbs::Limb{0} : 0,
+                      mask_b = b.negative() ? ~limbs::Limb{0} : 0;
     limbs::Limb carry_a = 1, carry_b = 1;
-    for (std::size_t i = kA; i < kR; ++i) r.limb[i] = limbs::add(r.limb[i], ~(b.extended(i - kA) & mask_a), carry_a);
-    for (std::size_t i = kB; i < kR; ++i) r.limb[i] = limbs::add(r.limb[i], ~(a.extended(i - kB) & mask_b), carry_b);
+    for (std::size_t i = kA; i < kR; ++i)
+      r.limb[i] = limbs::add(r.limb[i], ~(b.extended(i - kA) & mask_a), carry_a);
+    for (std::size_t i = kB; i < kR; ++i)
+      r.limb[i] = limbs::add(r.limb[i], ~(a.extended(i - kB) & mask_b), carry_b);
   }
   return r;
 }

@@ -12,8 +12,8 @@
 
 namespace crossloft {
 
-/// Signed integer of `Bits` bits on the stack with division, for constructions that run a few times per plane;
-/// no overflow check, widths are proven where they are used. Predicates use FixedInt.
+/// Signed integer of `Bits` bits on the stack with division, for constructions that run a few times per
+/// plane; no overflow check, widths are proven where they are used. Predicates use FixedInt.
 template <unsigned Bits>
 using Fixed = boost::multiprecision::number<
     boost::multiprecision::cpp_int_backend<Bits, Bits, boost::multiprecision::signed_magnitude,

@@ -108,7 +108,8 @@ Solution solve(const SystemRow& a, const SystemRow& b, const SystemRow& c) {
 
 bool within_lattice(const Solution& s) {
   const auto limit = s.w * FixedInt<50>(kLatticeLimit);
-  return std::all_of(s.x.begin(), s.x.end(), [&](const Value& v) { return !(limit - magnitude(v)).negative(); });
+  return std::all_of(s.x.begin(), s.x.end(),
+                     [&](const Value& v) { return !(limit - magnitude(v)).negative(); });
 }
 
 void reduce(Solution& s) {

@@ -9,8 +9,8 @@
 /// Explicit coordinates are integers |x| <= 2^50, so their differences are exact doubles and only the
 /// determinant rounds (difference_filters.h). A rational coordinate is off by half an ulp <= 2^-4; then a
 /// difference of two is off by 2^-3 and by half an ulp of its own, <= 2^-3 below 2^51: together <= kBlur.
-/// Nothing underflows: a nonzero difference of explicit points is >= 1, and where rational points are involved
-/// the bounds are >= kBlur^5 times their constants, far above the 2^-1074 an underflow can cost.
+/// Nothing underflows: a nonzero difference of explicit points is >= 1, and where rational points are
+/// involved the bounds are >= kBlur^5 times their constants, far above the 2^-1074 an underflow can cost.
 
 #include "difference_filters.h"
 #include "lattice.h"
@@ -21,7 +21,8 @@ namespace crossloft {
 inline constexpr double kBlur = 0.25;
 
 int side_of_plane_exact(const LatticePlane& plane, const LatticePoint& p);
-int orient3d_exact(const LatticePoint& a, const LatticePoint& b, const LatticePoint& c, const LatticePoint& d);
+int orient3d_exact(const LatticePoint& a, const LatticePoint& b, const LatticePoint& c,
+                   const LatticePoint& d);
 int insphere_exact(const LatticePoint& a, const LatticePoint& b, const LatticePoint& c, const LatticePoint& d,
                    const LatticePoint& e);
 int orient2d_exact(const LatticePlane& plane, const LatticePoint& a, const LatticePoint& b,
@@ -41,8 +42,8 @@ inline Vec3 difference(const LatticePoint& p, const LatticePoint& origin) {
 }
 
 /// How far differences blurred by kBlur move a determinant. Replacing one factor of a product at a time, each
-/// of its terms moves by at most the sum over its factors of the factor's blur times the other factors, blurred
-/// ones taken with their blur on top. det2 has 2 terms, det3 6, in-circle 6 (u v lift), in-sphere 24.
+/// of its terms moves by at most the sum over its factors of the factor's blur times the other factors,
+/// blurred ones taken with their blur on top. det2 has 2 terms, det3 6, in-circle 6 (u v lift), in-sphere 24.
 inline double blur_orient2d(const Estimate& e) { return 2 * kRoom * kBlur * (e.x + e.y + kBlur); }
 
 /// At most: blur of x y z for the column maxima x, y, z.
@@ -55,11 +56,13 @@ inline double blur_orient3d(const Estimate& e) { return 6 * kRoom * blur_volume(
 /// known up to 3u of its size, which kRoom covers.
 inline double blur_lift(double lift) { return 3 * kBlur * (2 * std::sqrt(lift) + kBlur); }
 inline double blur_incircle(const Estimate& e) {
-  return 6 * kRoom * (kBlur * (e.x + e.y + kBlur) * e.lift + (e.x + kBlur) * (e.y + kBlur) * blur_lift(e.lift));
+  return 6 * kRoom *
+         (kBlur * (e.x + e.y + kBlur) * e.lift + (e.x + kBlur) * (e.y + kBlur) * blur_lift(e.lift));
 }
 inline double blur_insphere(const Estimate& e) {
   return 24 * kRoom *
-         (blur_volume(e.x, e.y, e.z) * e.lift + (e.x + kBlur) * (e.y + kBlur) * (e.z + kBlur) * blur_lift(e.lift));
+         (blur_volume(e.x, e.y, e.z) * e.lift +
+          (e.x + kBlur) * (e.y + kBlur) * (e.z + kBlur) * blur_lift(e.lift));
 }
 
 /// The two coordinates that a projection along the plane's dominant axis keeps, in the order that makes a
@@ -87,16 +90,19 @@ inline int orient3d_filter(const LatticePoint& a, const LatticePoint& b, const L
   using namespace filters;
   const Estimate e = filters::orient3d(difference(b, a), difference(c, a), difference(d, a));
   double bound = kOrient3dError * e.size();
-  if (!all_explicit(a, b, c, d)) [[unlikely]] bound += blur_orient3d(e);
+  if (!all_explicit(a, b, c, d)) [[unlikely]]
+    bound += blur_orient3d(e);
   return decide(e.det, bound);
 }
 
 inline int insphere_filter(const LatticePoint& a, const LatticePoint& b, const LatticePoint& c,
                            const LatticePoint& d, const LatticePoint& e) {
   using namespace filters;
-  const Estimate s = filters::insphere(difference(a, e), difference(b, e), difference(c, e), difference(d, e));
+  const Estimate s =
+      filters::insphere(difference(a, e), difference(b, e), difference(c, e), difference(d, e));
   double bound = kInsphereError * s.size();
-  if (!all_explicit(a, b, c, d, e)) [[unlikely]] bound += blur_insphere(s);
+  if (!all_explicit(a, b, c, d, e)) [[unlikely]]
+    bound += blur_insphere(s);
   return decide(s.det, bound);
 }
 
@@ -106,7 +112,8 @@ inline int orient2d_filter(const LatticePlane& plane, const LatticePoint& a, con
   const Projection pr = projection(plane.normal);
   const Estimate e = filters::orient2d(project(pr, b, a), project(pr, c, a));
   double bound = kOrient2dError * e.size();
-  if (!all_explicit(a, b, c)) [[unlikely]] bound += blur_orient2d(e);
+  if (!all_explicit(a, b, c)) [[unlikely]]
+    bound += blur_orient2d(e);
   return pr.sign * decide(e.det, bound);
 }
 
@@ -118,12 +125,13 @@ inline int incircle_filter(const LatticePlane& plane, const LatticePoint& a, con
       filters::incircle(project(pr, a, d), project(pr, b, d), project(pr, c, d), squared_distance(a, d),
                         squared_distance(b, d), squared_distance(c, d));
   double bound = kIncircleError * e.size();
-  if (!all_explicit(a, b, c, d)) [[unlikely]] bound += blur_incircle(e);
+  if (!all_explicit(a, b, c, d)) [[unlikely]]
+    bound += blur_incircle(e);
   return pr.sign * decide(e.det, bound);
 }
 
-/// N and o are exact in doubles. Of the size |N_x d_x| + |N_y d_y| + |N_z d_z|: products 1, first sum 2, whole
-/// sum 3 u; a rational point's differences to o are off by 2^-4 + 2^-3 <= kBlur each.
+/// N and o are exact in doubles. Of the size |N_x d_x| + |N_y d_y| + |N_z d_z|: products 1, first sum 2,
+/// whole sum 3 u; a rational point's differences to o are off by 2^-4 + 2^-3 <= kBlur each.
 inline constexpr double kSideOfPlaneError = 3 * filters::kU * filters::kRoom;
 
 inline int side_of_plane_filter(const LatticePlane& plane, const LatticePoint& p) {
@@ -134,7 +142,8 @@ inline int side_of_plane_filter(const LatticePlane& plane, const LatticePoint& p
   const double tx = nx * (p.x - coordinate(o[0])), ty = ny * (p.y - coordinate(o[1]));
   const double tz = nz * (p.z - coordinate(o[2]));
   double bound = kSideOfPlaneError * (std::fabs(tx) + std::fabs(ty) + std::fabs(tz));
-  if (!p.is_explicit()) [[unlikely]] bound += kBlur * filters::kRoom * (std::fabs(nx) + std::fabs(ny) + std::fabs(nz));
+  if (!p.is_explicit()) [[unlikely]]
+    bound += kBlur * filters::kRoom * (std::fabs(nx) + std::fabs(ny) + std::fabs(nz));
   return filters::decide(tx + ty + tz, bound);
 }
 

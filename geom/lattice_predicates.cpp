@@ -89,8 +89,9 @@ struct Sorted {
 
 template <std::size_t Rational>
 int orient3d_with(const Sorted<4>& p) {
-  const auto determinant = det3(row<(Rational >= 3)>(kSpace, p[0], p[1]), row<(Rational >= 2)>(kSpace, p[0], p[2]),
-                                row<(Rational >= 1)>(kSpace, p[0], p[3]));
+  const auto determinant =
+      det3(row<(Rational >= 3)>(kSpace, p[0], p[1]), row<(Rational >= 2)>(kSpace, p[0], p[2]),
+           row<(Rational >= 1)>(kSpace, p[0], p[3]));
   static_assert(decltype(determinant)::kBits <= (Rational == 0 ? 157 : 522));
   return p.sign * determinant.sign();
 }
@@ -113,8 +114,9 @@ int insphere_with(const Sorted<5>& p) {
 }
 
 int insphere_free(const Sorted<5>& p) {
-  const auto determinant = in_sphere_free(free_row(kSpace, p[0]), free_row(kSpace, p[1]), free_row(kSpace, p[2]),
-                                          free_row(kSpace, p[3]), free_row(kSpace, p[4]));
+  const auto determinant =
+      in_sphere_free(free_row(kSpace, p[0]), free_row(kSpace, p[1]), free_row(kSpace, p[2]),
+                     free_row(kSpace, p[3]), free_row(kSpace, p[4]));
   static_assert(decltype(determinant)::kBits <= 1480);
   return p.sign * determinant.sign();
 }
@@ -161,14 +163,20 @@ int side_of_plane_exact(const LatticePlane& plane, const LatticePoint& p) {
   return p.is_explicit() ? sum(explicit_row(kSpace, origin, p)) : sum(rational_row(kSpace, origin, p));
 }
 
-int orient3d_exact(const LatticePoint& a, const LatticePoint& b, const LatticePoint& c, const LatticePoint& d) {
+int orient3d_exact(const LatticePoint& a, const LatticePoint& b, const LatticePoint& c,
+                   const LatticePoint& d) {
   const Sorted<4> p({&a, &b, &c, &d});
   switch (p.rational) {
-    case 0: return orient3d_with<0>(p);
-    case 1: return orient3d_with<1>(p);
-    case 2: return orient3d_with<2>(p);
-    case 3: return orient3d_with<3>(p);
-    default: return orient3d_free(p);
+    case 0:
+      return orient3d_with<0>(p);
+    case 1:
+      return orient3d_with<1>(p);
+    case 2:
+      return orient3d_with<2>(p);
+    case 3:
+      return orient3d_with<3>(p);
+    default:
+      return orient3d_free(p);
   }
 }
 
@@ -176,12 +184,18 @@ int insphere_exact(const LatticePoint& a, const LatticePoint& b, const LatticePo
                    const LatticePoint& e) {
   const Sorted<5> p({&a, &b, &c, &d, &e});
   switch (p.rational) {
-    case 0: return insphere_with<0>(p);
-    case 1: return insphere_with<1>(p);
-    case 2: return insphere_with<2>(p);
-    case 3: return insphere_with<3>(p);
-    case 4: return insphere_with<4>(p);
-    default: return insphere_free(p);
+    case 0:
+      return insphere_with<0>(p);
+    case 1:
+      return insphere_with<1>(p);
+    case 2:
+      return insphere_with<2>(p);
+    case 3:
+      return insphere_with<3>(p);
+    case 4:
+      return insphere_with<4>(p);
+    default:
+      return insphere_free(p);
   }
 }
 
@@ -191,10 +205,14 @@ int orient2d_exact(const LatticePlane& plane, const LatticePoint& a, const Latti
   const Axes k = axes_of(pr);
   const Sorted<3> p({&a, &b, &c});
   switch (p.rational) {
-    case 0: return pr.sign * orient2d_with<0>(k, p);
-    case 1: return pr.sign * orient2d_with<1>(k, p);
-    case 2: return pr.sign * orient2d_with<2>(k, p);
-    default: return pr.sign * orient2d_free(k, p);
+    case 0:
+      return pr.sign * orient2d_with<0>(k, p);
+    case 1:
+      return pr.sign * orient2d_with<1>(k, p);
+    case 2:
+      return pr.sign * orient2d_with<2>(k, p);
+    default:
+      return pr.sign * orient2d_free(k, p);
   }
 }
 
@@ -204,11 +222,16 @@ int incircle_exact(const LatticePlane& plane, const LatticePoint& a, const Latti
   const Axes k = axes_of(pr);
   const Sorted<4> p({&a, &b, &c, &d});
   switch (p.rational) {
-    case 0: return pr.sign * incircle_with<0>(k, p);
-    case 1: return pr.sign * incircle_with<1>(k, p);
-    case 2: return pr.sign * incircle_with<2>(k, p);
-    case 3: return pr.sign * incircle_with<3>(k, p);
-    default: return pr.sign * incircle_free(k, p);
+    case 0:
+      return pr.sign * incircle_with<0>(k, p);
+    case 1:
+      return pr.sign * incircle_with<1>(k, p);
+    case 2:
+      return pr.sign * incircle_with<2>(k, p);
+    case 3:
+      return pr.sign * incircle_with<3>(k, p);
+    default:
+      return pr.sign * incircle_free(k, p);
   }
 }
 

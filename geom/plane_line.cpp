@@ -25,9 +25,11 @@ auto value_times_w(const LatticePlane& plane, const FixedInt<Bits>& x, const Fix
 }  // namespace
 
 double plane_value(const LatticePlane& plane, const LatticePoint& p) {
-  if (const Homogeneous* h = p.exact) return to_double(value_times_w(plane, h->x, h->y, h->z, h->w)) / to_double(h->w);
+  if (const Homogeneous* h = p.exact)
+    return to_double(value_times_w(plane, h->x, h->y, h->z, h->w)) / to_double(h->w);
   const LatticeVector c = to_vector(p);
-  return to_double(value_times_w(plane, FixedInt<50>(c[0]), FixedInt<50>(c[1]), FixedInt<50>(c[2]), FixedInt<0>(1)));
+  return to_double(
+      value_times_w(plane, FixedInt<50>(c[0]), FixedInt<50>(c[1]), FixedInt<50>(c[2]), FixedInt<0>(1)));
 }
 
 int line_axis(const LatticePlane& a, const LatticePlane& b) {

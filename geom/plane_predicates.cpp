@@ -13,7 +13,9 @@ struct NormalRow {
   Entry x, y, z;
 };
 
-NormalRow normal_row(const LatticePlane& p) { return {Entry(p.normal[0]), Entry(p.normal[1]), Entry(p.normal[2])}; }
+NormalRow normal_row(const LatticePlane& p) {
+  return {Entry(p.normal[0]), Entry(p.normal[1]), Entry(p.normal[2])};
+}
 
 /// N . (o - origin): the plane's offset with `origin` moved to zero.
 auto offset_about(const LatticePlane& p, const LatticeVector& origin) {
@@ -34,7 +36,8 @@ int side_of_meet(const LatticePlane& a, const LatticePlane& b, const LatticePlan
   const NormalRow na = normal_row(a), nb = normal_row(b), nc = normal_row(c), nq = normal_row(q);
   const int orientation = det3(na, nb, nc).sign();
   if (orientation == 0) return 0;
-  const auto value = offset_about(a, q.origin) * det3(nb, nc, nq) + offset_about(b, q.origin) * det3(nc, na, nq) +
+  const auto value = offset_about(a, q.origin) * det3(nb, nc, nq) +
+                     offset_about(b, q.origin) * det3(nc, na, nq) +
                      offset_about(c, q.origin) * det3(na, nb, nq);
   static_assert(decltype(value)::kBits <= 220);
   return orientation * value.sign();

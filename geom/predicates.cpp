@@ -112,9 +112,8 @@ int incircle(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
 
 int insphere(Vec3 a, Vec3 b, Vec3 c, Vec3 d, Vec3 e) {
   if (const int sign = insphere_filter(a, b, c, d, e)) return sign;
-  return sign_of(std::array{a, b, c, d, e}, [](const auto& row) {
-    return in_sphere_about(row(0), row(1), row(2), row(3)).sign();
-  });
+  return sign_of(std::array{a, b, c, d, e},
+                 [](const auto& row) { return in_sphere_about(row(0), row(1), row(2), row(3)).sign(); });
 }
 
 }  // namespace crossloft

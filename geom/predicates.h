@@ -32,8 +32,8 @@ int orient3d(Vec3 a, Vec3 b, Vec3 c, Vec3 d);
 /// +1 if d is inside the circle through a, b, c, 0 on it. REQUIRES: orient2d(a,b,c) > 0 for that meaning; the
 /// sign flips with the orientation.
 int incircle(Vec2 a, Vec2 b, Vec2 c, Vec2 d);
-/// +1 if e is inside the sphere through a, b, c, d, 0 on it. REQUIRES: orient3d(a,b,c,d) > 0 for that meaning;
-/// the sign flips with the orientation.
+/// +1 if e is inside the sphere through a, b, c, d, 0 on it. REQUIRES: orient3d(a,b,c,d) > 0 for that
+/// meaning; the sign flips with the orientation.
 int insphere(Vec3 a, Vec3 b, Vec3 c, Vec3 d, Vec3 e);
 
 }  // namespace crossloft

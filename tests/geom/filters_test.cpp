@@ -13,8 +13,8 @@ namespace {
 
 const mpq_class kUnit(filters::kU);
 
-/// What is known of a computed value: its size and its distance from the true one, as multiples of the product
-/// of the maxima that the bound is expressed in.
+/// What is known of a computed value: its size and its distance from the true one, as multiples of the
+/// product of the maxima that the bound is expressed in.
 struct Tracked {
   mpq_class size, error;
 };
@@ -103,7 +103,8 @@ TEST_CASE("blur: coordinates of rational points and their differences") {
 TEST_CASE("range of the filter on doubles") {
   const double low = filters::kSmallest, high = filters::kLargest;
   CHECK(24 * 3 * high * high * high * high * high < 0x1p+1000);
-  // 100 underflows, each times three entries and a lift of the largest size, within the room of the least bound.
+  // 100 underflows, each times three entries and a lift of the largest size, within the room of the least
+  // bound.
   const double room = filters::kRoundedOrient3dError * 0x1p-49;
   mpq_class underflow(0x1p-1074);
   underflow *= mpq_class(100) * mpq_class(high) * mpq_class(high) * mpq_class(high);

@@ -18,12 +18,18 @@ FixedInt<Bits> value(std::mt19937_64& engine) {
   FixedInt<Bits> one(1), r;
   const FixedInt<Bits> limit = shift_left(one, static_cast<int>(Bits));
   switch (engine() % 8) {
-    case 0: return r;
-    case 1: return one;
-    case 2: return -one;
-    case 3: return limit;
-    case 4: return -limit;
-    default: break;
+    case 0:
+      return r;
+    case 1:
+      return one;
+    case 2:
+      return -one;
+    case 3:
+      return limit;
+    case 4:
+      return -limit;
+    default:
+      break;
   }
   for (limbs::Limb& l : r.limb) l = engine() % 4 == 0 ? ~limbs::Limb{0} : engine();
   r = shift_right(magnitude(r), static_cast<int>(64 * r.kLimbs - Bits));

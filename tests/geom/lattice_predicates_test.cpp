@@ -61,10 +61,9 @@ LatticePoint point_on(const LatticePlane& plane, Generator& generator, LatticePo
     }
     LatticePoint p;
     const LatticePlane other = generator.plane(normal_limit, coordinate_limit);
-    const LatticePlane third = generator.chance(50)
-                                   ? generator.plane(normal_limit, coordinate_limit)
-                                   : make_axis_plane(static_cast<int>(generator.index(3)),
-                                                     generator.integer(coordinate_limit));
+    const LatticePlane third = generator.chance(50) ? generator.plane(normal_limit, coordinate_limit)
+                                                    : make_axis_plane(static_cast<int>(generator.index(3)),
+                                                                      generator.integer(coordinate_limit));
     if (store.meet(plane, other, third, p)) return p;
   }
 }
@@ -190,13 +189,14 @@ TEST_CASE("near ties of rational points within the blur of their rounding") {
         for (std::size_t k = 0; k < 3; ++k) plane.origin[k] += around[k];
         return plane;
       };
-      while (!store.meet(near(), near(), near(), q)) {}
+      while (!store.meet(near(), near(), near(), q)) {
+      }
     }
     check_orient3d(p);
     check_insphere(p);
     for (int axis = 0; axis < 3; ++axis)
-      CHECK(compare_axis(axis, p[0], p[1]) ==
-            sgn(mpq_class(exact(p[0])[static_cast<std::size_t>(axis)] - exact(p[1])[static_cast<std::size_t>(axis)])));
+      CHECK(compare_axis(axis, p[0], p[1]) == sgn(mpq_class(exact(p[0])[static_cast<std::size_t>(axis)] -
+                                                            exact(p[1])[static_cast<std::size_t>(axis)])));
   }
 }
 

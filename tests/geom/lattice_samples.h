@@ -36,8 +36,9 @@ class Generator {
   LatticePoint rational(LatticePointStore& store, std::int64_t normal_limit, std::int64_t coordinate_limit) {
     for (;;) {
       const LatticePlane a = plane(normal_limit, coordinate_limit), b = plane(normal_limit, coordinate_limit);
-      const LatticePlane c = chance(50) ? plane(normal_limit, coordinate_limit)
-                                        : make_axis_plane(static_cast<int>(index(3)), integer(coordinate_limit));
+      const LatticePlane c = chance(50)
+                                 ? plane(normal_limit, coordinate_limit)
+                                 : make_axis_plane(static_cast<int>(index(3)), integer(coordinate_limit));
       LatticePoint p;
       if (store.meet(a, b, c, p)) return p;
     }
@@ -54,8 +55,8 @@ class Generator {
   std::mt19937_64 engine_;
 };
 
-/// Integer points on the sphere of squared radius 3 * 5^2 * 7^2 * 11^2 around `centre`, times `scale`: plenty of
-/// exactly cospherical points. Coordinates relative to the centre stay below 668 * scale.
+/// Integer points on the sphere of squared radius 3 * 5^2 * 7^2 * 11^2 around `centre`, times `scale`: plenty
+/// of exactly cospherical points. Coordinates relative to the centre stay below 668 * scale.
 inline std::vector<LatticePoint> cospherical(const LatticeVector& centre, std::int64_t scale) {
   std::vector<LatticePoint> points;
   const std::int64_t square = 3 * 25 * 49 * 121;

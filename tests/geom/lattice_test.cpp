@@ -47,7 +47,8 @@ TEST_CASE("met points lie on their planes, rounded to nearest, in lowest terms")
       CHECK(again.exact == p.exact);
       if (p.is_explicit()) continue;
       mpz_class common = reference::integer(p.exact->w);
-      for (const auto* v : {&p.exact->x, &p.exact->y, &p.exact->z}) common = gcd(common, reference::integer(*v));
+      for (const auto* v : {&p.exact->x, &p.exact->y, &p.exact->z})
+        common = gcd(common, reference::integer(*v));
       CHECK(common == 1);
     }
 }
@@ -83,12 +84,15 @@ TEST_CASE("no common point, one at the border, one beyond it") {
   // x + y + 2 z = 3 - 2^50: integral at odd x, half a unit off at even x.
   const LatticePlane tilted = make_lattice_plane({0, 3 - kLatticeLimit, 0}, {2, 0, -1}, {-1, 1, 0});
   REQUIRE(tilted.normal == LatticeVector{1, 1, 2});
-  const auto at_x = [&](std::int64_t v) { return store.meet(make_axis_plane(0, v), make_axis_plane(1, 0), tilted, p); };
+  const auto at_x = [&](std::int64_t v) {
+    return store.meet(make_axis_plane(0, v), make_axis_plane(1, 0), tilted, p);
+  };
   CHECK(at_x(kLatticeLimit - 1));
   CHECK(p.is_explicit());
   CHECK(at_x(kLatticeLimit));
   CHECK_FALSE(p.is_explicit());
-  const LatticePlane steep = make_lattice_plane({0, 0, kLatticeLimit}, {2, 0, 1}, {0, 1, 0});  // 2 z - x = 2^51
+  const LatticePlane steep =
+      make_lattice_plane({0, 0, kLatticeLimit}, {2, 0, 1}, {0, 1, 0});  // 2 z - x = 2^51
   CHECK_FALSE(store.meet(make_axis_plane(0, 1), make_axis_plane(1, 0), steep, p));
   CHECK(store.meet(make_axis_plane(0, 0), make_axis_plane(1, 0), steep, p));
   CHECK(store.meet(make_axis_plane(0, -1), make_axis_plane(1, 0), steep, p));

@@ -13,7 +13,8 @@ namespace {
 
 constexpr std::uint64_t kSeed = 20260202;
 
-int expected_side(const LatticePlane& a, const LatticePlane& b, const LatticePlane& c, const LatticePlane& q) {
+int expected_side(const LatticePlane& a, const LatticePlane& b, const LatticePlane& c,
+                  const LatticePlane& q) {
   const auto na = exact(a.normal), nb = exact(b.normal), nc = exact(c.normal), nq = exact(q.normal);
   const mpq_class w = reference::volume(na, nb, nc);
   if (w == 0) return 0;
@@ -34,8 +35,10 @@ TEST_CASE("side_of_meet agrees with rationals, whatever the planes") {
   for (const std::int64_t normals : {std::int64_t{8}, std::int64_t{1} << 28, kNormalLimit})
     for (const std::int64_t coordinates : {std::int64_t{4}, kLatticeLimit})
       for (int round = 0; round < 300; ++round) {
-        const LatticePlane a = generator.plane(normals, coordinates), b = generator.plane(normals, coordinates),
-                           c = generator.plane(normals, coordinates), q = generator.plane(normals, coordinates);
+        const LatticePlane a = generator.plane(normals, coordinates),
+                           b = generator.plane(normals, coordinates),
+                           c = generator.plane(normals, coordinates),
+                           q = generator.plane(normals, coordinates);
         const int side = side_of_meet(a, b, c, q);
         CHECK(side == expected_side(a, b, c, q));
         CHECK(side_of_meet(b, a, c, q) == side);

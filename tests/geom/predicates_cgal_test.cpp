@@ -1,4 +1,5 @@
-// CGAL's filtered and exact kernels as an independent referee, on points and conventions stated in predicates.h.
+// CGAL's filtered and exact kernels as an independent referee, on points and conventions stated in
+// predicates.h.
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -30,7 +31,8 @@ struct Referee {
       CHECK(insphere(a, b, c, d, e) ==
             CGAL::side_of_oriented_sphere(point(a), point(b), point(c), point(d), point(e)));
     if (orient2d(xy(a), xy(b), xy(c)) != 0)
-      CHECK(incircle(xy(a), xy(b), xy(c), xy(d)) == CGAL::side_of_oriented_circle(flat(a), flat(b), flat(c), flat(d)));
+      CHECK(incircle(xy(a), xy(b), xy(c), xy(d)) ==
+            CGAL::side_of_oriented_circle(flat(a), flat(b), flat(c), flat(d)));
   }
 };
 
@@ -68,7 +70,8 @@ TEST_CASE("cospherical lattice points, through both interfaces") {
     }
     if (generator.chance(50)) p[generator.index(5)].x += 1;
     check(p);
-    CHECK(orient3d(lattice(p[0]), lattice(p[1]), lattice(p[2]), lattice(p[3])) == orient3d(p[0], p[1], p[2], p[3]));
+    CHECK(orient3d(lattice(p[0]), lattice(p[1]), lattice(p[2]), lattice(p[3])) ==
+          orient3d(p[0], p[1], p[2], p[3]));
     CHECK(insphere(lattice(p[0]), lattice(p[1]), lattice(p[2]), lattice(p[3]), lattice(p[4])) ==
           insphere(p[0], p[1], p[2], p[3], p[4]));
   }

@@ -62,8 +62,8 @@ void check(const std::array<Vec3, 5>& p) {
   check_answer(reference::insphere(exact(a), exact(b), exact(c), exact(d), exact(e)),
                insphere_filter(a, b, c, d, e), insphere(a, b, c, d, e));
   const Vec2 s = flat(a), t = flat(b), u = flat(c), v = flat(d);
-  check_answer(reference::orient2d(kUp, exact_flat(a), exact_flat(b), exact_flat(c)), orient2d_filter(s, t, u),
-               orient2d(s, t, u));
+  check_answer(reference::orient2d(kUp, exact_flat(a), exact_flat(b), exact_flat(c)),
+               orient2d_filter(s, t, u), orient2d(s, t, u));
   check_answer(reference::incircle(kUp, exact_flat(a), exact_flat(b), exact_flat(c), exact_flat(d)),
                incircle_filter(s, t, u, v), incircle(s, t, u, v));
 }
@@ -73,7 +73,7 @@ void check(const std::array<Vec3, 5>& p) {
 TEST_CASE("random doubles: one binade to all of them") {
   MESSAGE("seed " << kSeed);
   Doubles doubles(kSeed);
-  const std::pair<int, int> bands[] = {{0, 0},       {-8, 0},       {-60, 0},     {-40, 40},    {-100, 100},
+  const std::pair<int, int> bands[] = {{0, 0},        {-8, 0},       {-60, 0},    {-40, 40},    {-100, 100},
                                        {-1022, -970}, {-1022, 1023}, {990, 1023}, {-200, -140}, {140, 300}};
   for (const auto& [low, high] : bands)
     for (int round = 0; round < 150; ++round) {
@@ -87,8 +87,8 @@ TEST_CASE("random doubles: one binade to all of them") {
 
 TEST_CASE("denormals and the largest doubles in one call") {
   Doubles doubles(kSeed + 1);
-  const double pool[] = {0, -0.0, kDenormal, -kDenormal, 3 * kDenormal, 0x1p-1022, 1e-300, 1, -1, 1e300, -1e300,
-                         kBiggest, -kBiggest};
+  const double pool[] = {0, -0.0, kDenormal, -kDenormal, 3 * kDenormal, 0x1p-1022, 1e-300,
+                         1, -1,   1e300,     -1e300,     kBiggest,      -kBiggest};
   for (int round = 0; round < 1500; ++round) {
     const auto pick = [&] { return pool[doubles.index(std::size(pool))]; };
     std::array<Vec3, 5> p;
@@ -123,7 +123,8 @@ TEST_CASE("the classic grid of ulps around a diagonal") {
   for (int i = -8; i < 8; ++i)
     for (int j = -8; j < 8; ++j) {
       const Vec2 a{0.5 + i * 0x1p-53, 0.5 + j * 0x1p-53};
-      const int expected = reference::orient2d(kUp, {mpq_class(a.x), mpq_class(a.y), 0}, {12, 12, 0}, {24, 24, 0});
+      const int expected =
+          reference::orient2d(kUp, {mpq_class(a.x), mpq_class(a.y), 0}, {12, 12, 0}, {24, 24, 0});
       CHECK(orient2d(a, {12, 12}, {24, 24}) == expected);
     }
 }
@@ -144,7 +145,8 @@ TEST_CASE("laws: exchange of points, mirror, scale") {
   for (int round = 0; round < 200; ++round) {
     std::array<Vec3, 5> p;
     for (Vec3& v : p)
-      v = {static_cast<double>(doubles.index(3)), static_cast<double>(doubles.index(3)), doubles.value(-2, 2)};
+      v = {static_cast<double>(doubles.index(3)), static_cast<double>(doubles.index(3)),
+           doubles.value(-2, 2)};
     const int o3 = orient3d(p[0], p[1], p[2], p[3]), is = insphere(p[0], p[1], p[2], p[3], p[4]);
     const int o2 = orient2d(flat(p[0]), flat(p[1]), flat(p[2]));
     const int ic = incircle(flat(p[0]), flat(p[1]), flat(p[2]), flat(p[3]));

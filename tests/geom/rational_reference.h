@@ -41,11 +41,15 @@ inline Rational3 exact(const LatticeVector& v) { return {big(v[0]), big(v[1]), b
 inline Rational3 operator-(const Rational3& a, const Rational3& b) {
   return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
-inline mpq_class dot(const Rational3& a, const Rational3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+inline mpq_class dot(const Rational3& a, const Rational3& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
 inline Rational3 cross(const Rational3& a, const Rational3& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
-inline mpq_class volume(const Rational3& a, const Rational3& b, const Rational3& c) { return dot(a, cross(b, c)); }
+inline mpq_class volume(const Rational3& a, const Rational3& b, const Rational3& c) {
+  return dot(a, cross(b, c));
+}
 
 inline int orient3d(const Rational3& a, const Rational3& b, const Rational3& c, const Rational3& d) {
   return sgn(volume(b - a, c - a, d - a));
