@@ -136,7 +136,7 @@ Surface gyroid_solid(std::uint32_t cells) {
   const auto field = [](const Vec3& p) {
     const SineCosine x = circle(0.8 * p.x), y = circle(0.8 * p.y), z = circle(0.8 * p.z);
     const double g = x.sine * y.cosine + y.sine * z.cosine + z.sine * x.cosine;
-    return std::max((std::abs(g) - 0.4) / 5, ball(p, {0, 0, 0}, 0.93));
+    return -blend((0.4 - std::abs(g)) / 5, -ball(p, {0, 0, 0}, 0.93), 0.06);  // rounded intersection
   };
   return implicit_solid(field, cube_box(1), cells);
 }

@@ -12,13 +12,14 @@ namespace {
 
 constexpr std::uint32_t next(std::uint32_t k) { return k == 2 ? 0 : k + 1; }
 
-/// Value of normal.x + offset, 0 within a bound of its rounding error (three products, three sums: below
-/// 4 * 2^-53 of the sum of magnitudes; doubled). So a vertex meant to lie on the plane does.
-double height(const CuttingPlane& plane, const Vec3& p) {
-  const double x = plane.normal.x * p.x, y = plane.normal.y * p.y, z = plane.normal.z * p.z;
-  const double value = x + y + z + plane.offset;
-  const double bound = 0x1p-50 * (std::abs(x) + std::abs(y) + std::abs(z) + std::abs(plane.offset));
-  return std::abs(value) <= bound ? 0 : value;
+/// The same plane with a normal of length 1; scaled by the largest coordinate first, against over- and
+/// underflow.
+CuttingPlane unit_plane(const CuttingPlane& plane) {
+  const auto& [n, offset] = plane;
+  const double largest = std::max({std::abs(n.x), std::abs(n.y), std::abs(n.z)});
+  const Vec3 m{n.x / largest, n.y / largest, n.z / largest};
+  const double length = norm(m);
+  return {{m.x / length, m.y / length, m.z / length}, offset / largest / length};
 }
 
 /// 0 counts as above.
@@ -31,10 +32,8 @@ Vec3 zero_point(const Vec3& p, double hp, const Vec3& q, double hq) {
   return p + hp / (hp - hq) * (q - p);
 }
 
-bool parallel(const Vec3& a, const Vec3& b) {
-  const Vec3 c = cross(a, b);
-  return dot(c, c) <= 1e-24 * dot(a, a) * dot(b, b);
-}
+/// REQUIRES: unit vectors.
+bool parallel(const Vec3& a, const Vec3& b) { return norm(cross(a, b)) <= 1e-12; }
 
 Error error(ErrorCode code, const char* message, std::uint32_t plane = kNone) {
   Error e;
@@ -64,11 +63,12 @@ struct Chord {
 class Slicer {
  public:
   Slicer(const Surface& mesh, std::span<const CuttingPlane> planes)
-      : mesh_(mesh), planes_(planes), close_(1e-13 * bounds_of(mesh.points).diagonal()) {}
+      : mesh_(mesh), given_(planes), close_(1e-13 * bounds_of(mesh.points).diagonal()) {}
 
   Result<Sections> run() {
     Result<Done> valid = validate();
     if (!valid) return valid.error();
+    for (const CuttingPlane& plane : given_) planes_.push_back(unit_plane(plane));
     number_edges();
     if (!closed_) return error(ErrorCode::not_closed, "the mesh is not closed, so it bounds no solid");
     cut_edges();
@@ -80,17 +80,17 @@ class Slicer {
 
  private:
   Result<Done> validate() const {
-    if (planes_.empty()) return error(ErrorCode::no_plane, "no cutting plane given");
+    if (given_.empty()) return error(ErrorCode::no_plane, "no cutting plane given");
     for (const Vec3& p : mesh_.points)
       if (!is_finite(p)) return error(ErrorCode::not_finite, "a point of the mesh is not finite");
     for (const auto& t : mesh_.triangles)
       if (std::max({t[0], t[1], t[2]}) >= mesh_.points.size())
         return error(ErrorCode::index_out_of_range, "a triangle of the mesh names a point that is not there");
-    for (std::uint32_t i = 0; i < planes_.size(); ++i) {
-      const auto& [n, offset] = planes_[i];
+    for (std::uint32_t i = 0; i < given_.size(); ++i) {
+      const auto& [n, offset] = given_[i];
       if (!is_finite(n) || !std::isfinite(offset))
         return error(ErrorCode::not_finite, "the plane is not finite", i);
-      if (!(dot(n, n) > 0)) return error(ErrorCode::zero_normal, "the plane's normal is zero", i);
+      if (n == Vec3{}) return error(ErrorCode::zero_normal, "the plane's normal is zero", i);
     }
     return Done{};
   }
@@ -124,8 +124,16 @@ class Slicer {
     closed_ = closed_ && count % 2 == 0;
   }
 
+  /// Over the plane; 0 if close to it or within the rounding error (three products, three sums: 4 * 2^-53 of
+  /// the sum of magnitudes, doubled). So a vertex that is meant to lie on the plane does.
+  double height(std::uint32_t plane, const Vec3& p) const {
+    const auto& [n, offset] = planes_[plane];
+    const double x = n.x * p.x, y = n.y * p.y, z = n.z * p.z, value = x + y + z + offset;
+    const double rounding = 0x1p-50 * (std::abs(x) + std::abs(y) + std::abs(z) + std::abs(offset));
+    return std::abs(value) <= close_ + rounding ? 0 : value;
+  }
   double height_of(std::uint32_t plane, std::uint32_t vertex) const {
-    return height(planes_[plane], mesh_.points[vertex]);
+    return height(plane, mesh_.points[vertex]);
   }
 
   void cut_edges() {
@@ -241,8 +249,8 @@ class Slicer {
     for (const Vec3& p : {i.p, i.q})
       if (p == j.p || p == j.q) return p;
     for (const Vec3& p : {j.p, j.q})
-      if (height(planes_[i.plane], p) == 0) return p;
-    const double hp = height(planes_[j.plane], i.p), hq = height(planes_[j.plane], i.q);
+      if (height(i.plane, p) == 0) return p;
+    const double hp = height(j.plane, i.p), hq = height(j.plane, i.q);
     if (above(hp) != above(hq)) return zero_point(i.p, hp, i.q, hq);
     return std::abs(hp) <= std::abs(hq) ? i.p : i.q;  // they differ by rounding only
   }
@@ -253,8 +261,8 @@ class Slicer {
     Sections sections;
     sections.planes.resize(planes_.size());
     for (std::size_t i = 0; i < planes_.size(); ++i) {
-      sections.planes[i].normal = planes_[i].normal;
-      sections.planes[i].offset = planes_[i].offset;
+      sections.planes[i].normal = given_[i].normal;
+      sections.planes[i].offset = given_[i].offset;
       trace_contours(segments[i], sections.planes[i]);
     }
     return sections;
@@ -275,7 +283,8 @@ class Slicer {
   }
 
   const Surface& mesh_;
-  std::span<const CuttingPlane> planes_;
+  std::span<const CuttingPlane> given_;
+  std::vector<CuttingPlane> planes_;                 // the same with unit normals
   double close_;                                     // points this near are one point up to rounding
   std::vector<std::array<std::uint32_t, 2>> edges_;  // lower vertex first
   std::vector<std::uint32_t> edge_of_side_;          // of side k of triangle t at 3 t + k

@@ -26,8 +26,8 @@ struct CuttingPlane {
 /// (2) Consistent: where a triangle meets the line of planes i and j, both sections have a vertex with
 ///     bitwise the same coordinates. Both decide that from the same signs, so neither has it alone.
 ///     Parallel planes have no line.
-/// (3) A mesh vertex on a plane (to rounding) counts as above it: the section is the limit of slices from
-/// below
+/// (3) A mesh vertex on a plane (within 1e-13 of the mesh's diagonal) counts as above it: the section is the
+/// limit of slices from below
 ///     the plane, as seen along the normal. Pieces that thereby collapse to a point or a segment vanish.
 /// Errors: not_closed (an edge in an odd number of triangles), index_out_of_range, not_finite, zero_normal
 /// (with the plane's number), no_plane. O(n k + c k log c) for n triangles, k planes, c cut triangles a

@@ -29,8 +29,8 @@ Surface trefoil_solid(std::uint32_t cells = 64);  ///< tube along the trefoil kn
 Surface vessel_solid(std::uint32_t cells = 64);   ///< tree of tapering tubes, genus 0
 Surface gyroid_solid(std::uint32_t cells = 48);   ///< gyroid walls within a ball, high genus
 Surface nested_shells(std::uint32_t cells = 48);  ///< ball with a cavity that holds a ball: three components
-/// The solid of the demo: a bear with its arms akimbo. Limbs branch from the body, and two holes go through
-/// (genus 2). One unit tall times two, z up, looking along -y.
+/// The solid of the demo: a bear with its arms akimbo, 1.9 tall, z up, facing -y. Limbs branch from the body
+/// and two holes go through (genus 2).
 Surface demo_solid(std::uint32_t cells = 96);
 
 }  // namespace crossloft

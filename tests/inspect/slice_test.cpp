@@ -60,7 +60,7 @@ Sections sliced(const Surface& mesh, const std::vector<CuttingPlane>& planes) {
   REQUIRE(result->planes.size() == planes.size());
   for (std::size_t i = 0; i < planes.size(); ++i) {
     check_contours(result->planes[i]);
-    for (const Vec3& p : result->planes[i].vertices) CHECK(relative_height(planes[i], p) < 1e-14 * 8);
+    for (const Vec3& p : result->planes[i].vertices) CHECK(relative_height(planes[i], p) < 5e-13);
   }
   return *result;
 }
