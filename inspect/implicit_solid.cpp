@@ -93,8 +93,8 @@ class MarchingTetrahedra {
     const auto inner = std::count_if(tet.begin(), tet.end(), [&](const Node& n) { return inside(n.grid); });
     if (odd) inner == 3 ? std::swap(order[0], order[1]) : std::swap(order[2], order[3]);
     const auto at = [&](std::size_t i, std::size_t j) { return crossing(c, tet[order[i]], tet[order[j]]); };
-    if (inner == 1) add(at(0, 1), at(0, 2), at(0, 3));
-    if (inner == 3) add(at(3, 0), at(3, 1), at(3, 2));
+    if (inner == 1) add({at(0, 1), at(0, 2), at(0, 3)});
+    if (inner == 3) add({at(3, 0), at(3, 1), at(3, 2)});
     if (inner == 2) add_quadrilateral({at(0, 2), at(0, 3), at(1, 3), at(1, 2)});
   }
 
@@ -109,15 +109,17 @@ class MarchingTetrahedra {
     return known = static_cast<std::uint32_t>(mesh_.points.size() - 1);
   }
 
-  void add(std::uint32_t a, std::uint32_t b, std::uint32_t c) { mesh_.triangles.push_back({a, b, c}); }
+  /// By one list: its elements are made in order, arguments are not, and crossings are numbered as they are
+  /// made.
+  void add(const std::array<std::uint32_t, 3>& triangle) { mesh_.triangles.push_back(triangle); }
 
   void add_quadrilateral(const std::array<std::uint32_t, 4>& q) {
     const auto length = [&](std::size_t i, std::size_t j) {
       return norm(mesh_.points[q[i]] - mesh_.points[q[j]]);
     };
     const std::size_t s = length(0, 2) <= length(1, 3) ? 0 : 1;
-    add(q[s], q[s + 1], q[s + 2]);
-    add(q[s], q[s + 2], q[(s + 3) % 4]);
+    add({q[s], q[s + 1], q[s + 2]});
+    add({q[s], q[s + 2], q[(s + 3) % 4]});
   }
 
   Vec3 low_;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 
+#include "../../inspect/random.h"
 #include "shapes.h"
 
 using namespace crossloft;
@@ -49,7 +50,7 @@ double relative_height(const CuttingPlane& plane, const Vec3& p) {
 std::vector<Vec3> points_on(const PlaneSection& s, const CuttingPlane& plane) {
   std::vector<Vec3> points;
   for (const Vec3& p : s.vertices)
-    if (relative_height(plane, p) < 1e-13) points.push_back(p);
+    if (relative_height(plane, p) < 1e-12) points.push_back(p);
   std::sort(points.begin(), points.end());
   return points;
 }
@@ -144,6 +145,23 @@ TEST_CASE("sections agree bit by bit on the common lines") {
     for (const CuttingPlane& p : parallel_planes(box, 5, n)) grid.push_back(p);
   check_consistent(mesh, grid);
   check_consistent(cube(), rotational_planes(bounds_of(cube().points), 8));
+}
+
+TEST_CASE("planes through three mesh vertices each: consistent, no twins, no crossing pieces of a hair") {
+  const Surface mesh = torus(1, 0.4, 80, 40);
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    CAPTURE(seed);
+    Random random(seed);
+    const auto vertex = [&] { return mesh.points[random.next() % mesh.points.size()]; };
+    std::vector<CuttingPlane> planes;
+    while (planes.size() < 12) {
+      const Vec3 a = vertex(), b = vertex(), c = vertex(), n = cross(b - a, c - a);
+      if (norm(n) > 0.01) planes.push_back({n, -dot(n, a)});
+    }
+    check_consistent(mesh, planes);
+    for (const PlaneSection& s : sliced(mesh, planes).planes)
+      for (const ContourEdge& e : s.edges) CHECK(norm(s.vertices[e.a] - s.vertices[e.b]) > 1e-12);
+  }
 }
 
 TEST_CASE("equal planes give equal sections") {

@@ -79,4 +79,9 @@ TEST_CASE("an implicit ball has the ball's volume and closes at the box") {
   CHECK(implicit_solid(nowhere, box, 10).triangles.empty());
 }
 
-TEST_CASE("the demo's solid is the same to the bit") { MESSAGE(hash(demo_solid(32))); }
+TEST_CASE("solids are the same to the bit for every compiler and optimisation level") {
+  CHECK(hash(demo_solid(32)) == 0x662c35ae2a340a20u);
+  CHECK(hash(torus(1, 0.4, 80, 40)) == 0x81d863af309225d1u);
+  CHECK(hash(gyroid_solid(24)) == 0xa3da82590b3bfe81u);
+  CHECK(hash(vessel_solid(24)) == 0x6a41ce020ca7caa3u);
+}
