@@ -160,7 +160,7 @@ class Arrangement {
 
 /// The arrangement of `planes` inside `box`. New points go to `store`, which must outlive the result.
 /// REQUIRES: planes distinct as point sets; box as said there.
-/// Errors: cancelled; too_large (more than 2^32 elements); internal (the requirements do not hold).
+/// Errors: cancelled; too_large (over 2^30 pairs of a face and its edge, or a box beyond its limit).
 /// Planes are inserted one by one in a canonical order. O(1) work a new cell on average, and one side test
 /// for every vertex and inserted plane: k planes in general position make O(k^3) elements in O(k^4) such
 /// tests.
