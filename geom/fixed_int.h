@@ -91,7 +91,7 @@ __extension__ using Native = __int128;
 __extension__ using UnsignedNative = unsigned __int128;
 template <unsigned Bits>
 Native to_native(const FixedInt<Bits>& v) {
-  if constexpr (v.kLimbs == 1) {
+  if constexpr (FixedInt<Bits>::kLimbs == 1) {
     return static_cast<std::int64_t>(v.limb[0]);
   } else {
     return static_cast<Native>(static_cast<UnsignedNative>(v.limb[1]) << 64 | v.limb[0]);
