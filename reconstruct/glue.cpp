@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <numeric>
 #include <utility>
 
 #include "../delaunay/tet_mesh.h"
@@ -14,11 +15,14 @@ namespace {
 using Triple = std::array<std::uint32_t, 3>;
 using Tets = std::span<const std::array<std::uint32_t, 4>>;
 
-/// A facet by its number 4 * tetrahedron + slot.
+/// A facet, kept in the bucket of its smallest vertex; its number is 4 * tetrahedron + slot.
 struct Facet {
-  Triple sorted;  ///< its vertices in increasing order
+  std::uint32_t middle, largest;  ///< its other vertices in increasing order
   std::uint32_t number;
-  bool even;  ///< outward orientation is that of `sorted`
+  bool even;  ///< outward orientation is smallest, middle, largest
+
+  bool same_vertices(const Facet& other) const { return middle == other.middle && largest == other.largest; }
+  friend auto operator<=>(const Facet&, const Facet&) = default;
 };
 
 Triple outward(Tets tets, std::uint32_t facet) {
@@ -33,11 +37,6 @@ Triple rotated(Triple t) {
   return t;
 }
 
-Facet make_facet(Tets tets, std::uint32_t number) {
-  const Triple t = rotated(outward(tets, number));
-  return {{t[0], std::min(t[1], t[2]), std::max(t[1], t[2])}, number, t[1] < t[2]};
-}
-
 Error failure(ErrorCode code, const char* message) {
   Error error;
   error.code = code;
@@ -45,22 +44,47 @@ Error failure(ErrorCode code, const char* message) {
   return error;
 }
 
+/// All facets by their smallest vertex: those of v are [begin[v], begin[v + 1]).
+struct FacetBuckets {
+  std::vector<std::size_t> begin;
+  std::vector<Facet> facets;
+};
+
+FacetBuckets fill_buckets(Tets tets) {
+  std::uint32_t vertex_count = 0;
+  for (const auto& tet : tets)
+    vertex_count = std::max(vertex_count, *std::max_element(tet.begin(), tet.end()) + 1);
+  FacetBuckets buckets;
+  buckets.begin.assign(std::size_t{vertex_count} + 1, 0);
+  for (std::uint32_t f = 0; f < 4 * tets.size(); ++f)
+    ++buckets.begin[rotated(outward(tets, f))[0] + std::size_t{1}];
+  std::partial_sum(buckets.begin.begin(), buckets.begin.end(), buckets.begin.begin());
+  buckets.facets.resize(4 * tets.size());
+  std::vector<std::size_t> next(buckets.begin);
+  for (std::uint32_t f = 0; f < 4 * tets.size(); ++f) {
+    const Triple t = rotated(outward(tets, f));
+    buckets.facets[next[t[0]]++] = {std::min(t[1], t[2]), std::max(t[1], t[2]), f, t[1] < t[2]};
+  }
+  return buckets;
+}
+
 /// partner[f] = the facet glued to facet f, kNone on the boundary.
 Result<std::vector<std::uint32_t>> match_facets(Tets tets) {
-  std::vector<Facet> facets;
-  facets.reserve(4 * tets.size());
-  for (std::uint32_t f = 0; f < 4 * tets.size(); ++f) facets.push_back(make_facet(tets, f));
-  std::sort(facets.begin(), facets.end(), [](const Facet& p, const Facet& q) { return p.sorted < q.sorted; });
-  std::vector<std::uint32_t> partner(facets.size(), kNone);
-  for (std::size_t i = 0; i + 1 < facets.size(); ++i) {
-    const Facet& p = facets[i];
-    const Facet& q = facets[i + 1];
-    if (p.sorted != q.sorted) continue;
-    if (p.even == q.even || partner[p.number] != kNone) {
-      return failure(ErrorCode::internal, "tetrahedra overlap: they can't be glued");
+  FacetBuckets buckets = fill_buckets(tets);
+  std::vector<std::uint32_t> partner(4 * tets.size(), kNone);
+  for (std::size_t v = 0; v + 1 < buckets.begin.size(); ++v) {
+    const std::span bucket(buckets.facets.data() + buckets.begin[v], buckets.begin[v + 1] - buckets.begin[v]);
+    std::sort(bucket.begin(), bucket.end());
+    for (std::size_t i = 0; i + 1 < bucket.size(); ++i) {
+      const Facet& p = bucket[i];
+      const Facet& q = bucket[i + 1];
+      if (!p.same_vertices(q)) continue;
+      if (p.even == q.even || partner[p.number] != kNone) {
+        return failure(ErrorCode::internal, "tetrahedra overlap: they can't be glued");
+      }
+      partner[p.number] = q.number;
+      partner[q.number] = p.number;
     }
-    partner[p.number] = q.number;
-    partner[q.number] = p.number;
   }
   return partner;
 }
