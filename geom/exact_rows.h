@@ -59,8 +59,13 @@ auto in_circle_about(const P& p, const Q& q, const R& r) {
 template <class P, class Q, class R, class S>
 auto in_sphere_about(const P& p, const Q& q, const R& r, const S& s) {
   const auto minor = [](const auto& a, const auto& b) { return det2(a.x, a.y, b.x, b.y); };
-  const auto pq = minor(p, q), pr = minor(p, r), ps = minor(p, s), qr = minor(q, r), qs = minor(q, s),
-             rs = minor(r, s);
+  // One declaration each: the widths, hence the types, differ.
+  const auto pq = minor(p, q);
+  const auto pr = minor(p, r);
+  const auto ps = minor(p, s);
+  const auto qr = minor(q, r);
+  const auto qs = minor(q, s);
+  const auto rs = minor(r, s);
   const auto term = [](const auto& lifted, const auto& det, const auto& a, const auto& b, const auto& c) {
     return times_weight(times_weight(times_weight(lifted.lift() * det, a.w), b.w), c.w);
   };
