@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <cstdlib>
 #include <random>
 #include <vector>
 
@@ -60,7 +61,8 @@ inline std::vector<LatticePoint> on_cube_faces(std::int64_t half, std::int64_t s
   for (std::int64_t x = -half; x <= half; x += step)
     for (std::int64_t y = -half; y <= half; y += step)
       for (std::int64_t z = -half; z <= half; z += step)
-        if (std::max({x * x, y * y, z * z}) == half * half) points.push_back(make_point({x, y, z}));
+        if (std::max({std::abs(x), std::abs(y), std::abs(z)}) == half)
+          points.push_back(make_point({x, y, z}));
   std::mt19937_64 random(seed);
   const auto draw = [&] {
     return static_cast<std::int64_t>(random() % static_cast<std::uint64_t>(2 * half + 1)) - half;
