@@ -37,6 +37,8 @@ struct CrossingStatistics {
   std::uint32_t crossings = 0;       ///< contour vertices on lines, one for each plane they belong to
   std::uint32_t matched = 0;         ///< those that every plane through the line agrees on
   double largest_gap = 0;            ///< lattice units, between crossings that were matched
+  double widest_pair = 0;            ///< the same with the matches that were taken back
+  std::uint32_t unpaired = 0;        ///< crossings that found no partner, matches taken back not counted
   std::uint32_t undone = 0;          ///< matches taken back because contours would have crossed
   std::uint32_t merged_collinear = 0;
   std::uint32_t disagreeing = 0;     ///< arrangement vertices inside one section, outside another

@@ -53,6 +53,8 @@ class Matcher {
   bool join(std::uint32_t edge, Cluster& a, Cluster& b);
   void apply(const std::vector<Cluster>& clusters);
   void count(const std::vector<Cluster>& clusters);
+  void count_unpaired(const std::vector<Cluster>& clusters);
+  std::vector<std::uint32_t> missing_planes(const Cluster& cluster) const;
   bool undo_crossing_contours();
   int axis_of(std::uint32_t edge) const {
     const auto [p, q] = arrangement_.planes_of(ArrEdgeId{edge});
@@ -132,7 +134,25 @@ void Matcher::apply(const std::vector<Cluster>& clusters) {
       graph_.move(member.vertex, cluster.at);
     }
     merge_gaps_.push_back(cluster.gap);
+    graph_.statistics.widest_pair = std::max(graph_.statistics.widest_pair, cluster.gap);
   }
+}
+
+void Matcher::count_unpaired(const std::vector<Cluster>& clusters) {
+  for (const Cluster& cluster : clusters)
+    if (missing_planes(cluster).size() != 0)
+      graph_.statistics.unpaired += static_cast<std::uint32_t>(cluster.members.size());
+}
+
+/// The planes through the edge whose contours do not cross it here.
+std::vector<std::uint32_t> Matcher::missing_planes(const Cluster& cluster) const {
+  const SignView signs = arrangement_.signs(ArrEdgeId{cluster.members[0].edge});
+  std::vector<std::uint32_t> missing;
+  for (std::uint32_t p = 0; p < graph_.planes.size(); ++p)
+    if (has_bit(signs.zero, PlaneId{p}) &&
+        std::none_of(cluster.members.begin(), cluster.members.end(), [&](const OnEdge& m) { return m.plane == p; }))
+      missing.push_back(p);
+  return missing;
 }
 
 /// Takes back every merge that has a vertex on two contour edges in conflict. True if there was one.
@@ -165,18 +185,11 @@ bool Matcher::undo_crossing_contours() {
 void Matcher::count(const std::vector<Cluster>& clusters) {
   CrossingStatistics& s = graph_.statistics;
   for (const Cluster& cluster : clusters) {
-    const SignView signs = arrangement_.signs(ArrEdgeId{cluster.members[0].edge});
-    bool complete = true;
-    for (std::uint32_t p = 0; p < graph_.planes.size(); ++p) {
-      const bool has = std::any_of(cluster.members.begin(), cluster.members.end(),
-                                   [&](const OnEdge& m) { return m.plane == p; });
-      if (has || !has_bit(signs.zero, PlaneId{p})) continue;
-      complete = false;
-      s.unmatched.push_back({cluster.members[0].plane, p, cluster.at});
-    }
+    const std::vector<std::uint32_t> missing = missing_planes(cluster);
+    for (const std::uint32_t p : missing) s.unmatched.push_back({cluster.members[0].plane, p, cluster.at});
     const auto members = static_cast<std::uint32_t>(cluster.members.size());
     s.crossings += members;
-    if (complete) s.matched += members;
+    if (missing.empty()) s.matched += members;
   }
 }
 
@@ -200,6 +213,7 @@ void Matcher::run() {
   for (std::vector<Cluster>& clusters : by_edge()) {
     merge_nearest(clusters);
     apply(clusters);
+    count_unpaired(clusters);
   }
   while (!moves_.empty() && undo_crossing_contours()) {
   }

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "../arrangement/data_box.h"
 #include "../prune/links.h"
 #include "assemble.h"
 #include "cell_builder.h"
@@ -55,7 +56,6 @@ class Pipeline {
   void prune_cell(CellId id, CellResult& result);
   void cover(CellId id, std::span<const CellFace> faces, std::span<const FaceId> face_ids, const BuiltCell& cell,
              const PruneResult& pruned);
-  LatticeBox data_box() const;
   void report_crossings();
   void explain_empty();
   Error cancelled() const { return make_error(ErrorCode::cancelled, "cancelled"); }
@@ -96,27 +96,6 @@ Result<Done> Pipeline::frame() {
   return Done{};
 }
 
-/// The bounding box of all vertices with a margin: cells further out hold nothing.
-LatticeBox Pipeline::data_box() const {
-  constexpr std::int64_t kBound = kLatticeLimit / 2;
-  LatticeBox box{{kBound, kBound, kBound}, {-kBound, -kBound, -kBound}};
-  for (const FramedPlane& plane : framed_.planes)
-    for (const LatticePoint& p : plane.vertices) {
-      const LatticeVector c = to_vector(p);
-      for (std::size_t k = 0; k < 3; ++k) {
-        box.lower[k] = std::min(box.lower[k], c[k]);
-        box.upper[k] = std::max(box.upper[k], c[k]);
-      }
-    }
-  std::int64_t extent = 16;
-  for (std::size_t k = 0; k < 3; ++k) extent = std::max(extent, box.upper[k] - box.lower[k]);
-  for (std::size_t k = 0; k < 3; ++k) {
-    box.lower[k] = std::max(-kBound, box.lower[k] - extent / 8);
-    box.upper[k] = std::min(kBound, box.upper[k] + extent / 8);
-  }
-  return box;
-}
-
 void Pipeline::report_crossings() {
   Report& report = result_.report;
   const CrossingStatistics& s = graph_.statistics;
@@ -140,7 +119,7 @@ void Pipeline::report_crossings() {
 Result<Done> Pipeline::arrange() {
   std::vector<LatticePlane> planes;
   for (const FramedPlane& plane : framed_.planes) planes.push_back(plane.plane);
-  auto arrangement = build_arrangement(planes, data_box(), store_, context_);
+  auto arrangement = build_arrangement(planes, data_box(framed_), store_, context_);
   if (!arrangement) return arrangement.error();
   arrangement_ = std::make_unique<Arrangement>(std::move(arrangement).value());
   Report& report = result_.report;
