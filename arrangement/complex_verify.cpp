@@ -1,6 +1,9 @@
+/// Arrangement::verify.
+
 #include <algorithm>
 #include <utility>
 
+#include "../geom/plane_predicates.h"
 #include "complex.h"
 
 namespace crossloft {
@@ -26,6 +29,7 @@ class Verifier {
 
   std::string vertices() const;
   std::string vertex_signs(ArrVertexId v) const;
+  std::string vertex_planes(ArrVertexId v) const;
   std::string edges() const;
   std::string faces() const;
   std::string face_loop(FaceId f) const;
@@ -64,6 +68,7 @@ std::string Verifier::vertices() const {
     if (v > 0 && compare_lex(a_.point(ArrVertexId(v - 1)), a_.point(ArrVertexId(v))) >= 0)
       return name("vertex", v, "not above the one before");
     if (std::string problem = vertex_signs(ArrVertexId(v)); !problem.empty()) return problem;
+    if (std::string problem = vertex_planes(ArrVertexId(v)); !problem.empty()) return problem;
   }
   return {};
 }
@@ -79,6 +84,22 @@ std::string Verifier::vertex_signs(ArrVertexId v) const {
     if ((side == 0) != ((a_.box_mask(v) >> j & 1) != 0)) return name("vertex", v.value, "wrong box mask");
   }
   return {};
+}
+
+/// The vertex once more by its planes alone: three of its tag that meet in a point, against all the others.
+std::string Verifier::vertex_planes(ArrVertexId v) const {
+  std::vector<LatticePlane> tag;
+  for (std::uint32_t p = 0; p < a_.plane_count() + 6; ++p)
+    if (on_plane(v, PlaneId(p))) tag.push_back(a_.plane(PlaneId(p)));
+  for (std::size_t i = 1; i < tag.size(); ++i)
+    for (std::size_t j = i + 1; j < tag.size(); ++j) {
+      if (orient_normals(tag[0], tag[i], tag[j]) == 0) continue;
+      for (std::uint32_t p = 0; p < a_.plane_count(); ++p)
+        if (side_of_meet(tag[0], tag[i], tag[j], a_.plane(PlaneId(p))) != sign_at(a_.signs(v), PlaneId(p)))
+          return name("vertex", v.value, "its planes meet elsewhere");
+      return {};
+    }
+  return name("vertex", v.value, "its planes do not meet in a point");
 }
 
 std::string Verifier::edges() const {

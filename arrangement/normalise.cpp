@@ -121,6 +121,14 @@ void find_extent(NormalisedSections& out) {
   out.diagonal = safe_norm(out.high - out.low);
 }
 
+/// The wall at a vertex that comes first in the file. REQUIRES: there is one.
+const WallEdge& first_wall_at(const WallSection& s, std::uint32_t v) {
+  const WallEdge* first = nullptr;
+  for (const WallEdge& w : s.walls)
+    if ((w.a == v || w.b == v) && (!first || w.line < first->line)) first = &w;
+  return *first;
+}
+
 /// The distances of the vertices from the plane; an error beyond the tolerance.
 Result<Done> check_distances(const Sections& in, WallSection& s, double tolerance) {
   const double length = norm(s.normal);
@@ -128,10 +136,9 @@ Result<Done> check_distances(const Sections& in, WallSection& s, double toleranc
     const double distance = std::fabs(dot(s.normal, s.vertices[v]) + s.offset) / length;
     s.off_plane = std::max(s.off_plane, distance);
     if (distance <= tolerance) continue;
-    for (const WallEdge& w : s.walls)
-      if (w.a == v || w.b == v)
-        return error_at(ErrorCode::off_plane, "a vertex lies further from its plane than the plane tolerance",
-                        in, s.source, w.contour, w.line);
+    const WallEdge& w = first_wall_at(s, v);
+    return error_at(ErrorCode::off_plane, "a vertex lies further from its plane than the plane tolerance", in,
+                    s.source, w.contour, w.line);
   }
   return Done{};
 }

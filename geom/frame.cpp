@@ -69,6 +69,16 @@ LatticeVector fit(std::span<WideVector> basis, const LatticeVector& direction, s
 
 std::array<WideVector, 3> unit_basis() { return {widen({1, 0, 0}), widen({0, 1, 0}), widen({0, 0, 1})}; }
 
+/// The direction without its part along another one, quantised again: what a fit among the vectors orthogonal
+/// to `along` can reach. Against the direction itself no vector's angle gets small, and short ones would win.
+LatticeVector without_part_along(const LatticeVector& direction, const LatticeVector& along) {
+  const WideVector d = widen(direction), a = widen(along);
+  WideVector v = norm2(a) * d - dot(a, d) * a;
+  const Wide largest = std::max({Wide(abs(v[0])), Wide(abs(v[1])), Wide(abs(v[2]))});
+  for (Wide& c : v) c = round_quotient(c * (Wide(1) << 46), largest);
+  return narrow(v);
+}
+
 /// The vector a i + b j, i and j integers, nearest to d; the lexicographically first of several.
 WideVector nearest_combination(const WideVector& a, const WideVector& b, const WideVector& d) {
   const Wide aa = norm2(a), bb = norm2(b), ab = dot(a, b), ad = dot(a, d), bd = dot(b, d);
@@ -143,14 +153,14 @@ LatticeVector fit_axis_in_plane(const LatticeVector& direction, const LatticeVec
                                 std::int64_t radius) {
   const Kernel k = kernel_of(normal);
   std::array<WideVector, 2> basis{k.a, k.b};
-  return fit(basis, direction, radius, kAxisLimit, axis_cost);
+  return fit(basis, without_part_along(direction, normal), radius, kAxisLimit, axis_cost);
 }
 
 LatticeVector fit_normal_around(const LatticeVector& direction, const LatticeVector& axis,
                                 std::int64_t radius) {
   const Kernel k = kernel_of(axis);
   std::array<WideVector, 2> basis{k.a, k.b};
-  return fit(basis, direction, radius, kNormalLimit, plane_cost);
+  return fit(basis, without_part_along(direction, axis), radius, kNormalLimit, plane_cost);
 }
 
 LatticePlane plane_through(const LatticeVector& normal, const LatticeVector& point,

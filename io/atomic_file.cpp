@@ -39,7 +39,8 @@ std::FILE* create_beside(const std::string& target, std::string& name) {
   constexpr int kMostTemporaries = 1000;
   const fs::path path(target);
   for (int i = 0; i < kMostTemporaries; ++i) {
-    name = (path.parent_path() / ("." + path.filename().string() + "." + std::to_string(i) + ".tmp")).string();
+    name =
+        (path.parent_path() / ("." + path.filename().string() + "." + std::to_string(i) + ".tmp")).string();
     errno = 0;
     std::FILE* file = std::fopen(name.c_str(), "wbx");
     if (file != nullptr || errno != EEXIST) return file;
@@ -60,7 +61,8 @@ Result<std::string> read_file(const std::string& path) {
   const auto size = fs::file_size(path, ignored);
   if (!ignored) bytes.reserve(static_cast<std::size_t>(size));
   char buffer[1 << 16];
-  for (std::size_t n = 0; (n = std::fread(buffer, 1, sizeof buffer, file.get())) != 0;) bytes.append(buffer, n);
+  for (std::size_t n = 0; (n = std::fread(buffer, 1, sizeof buffer, file.get())) != 0;)
+    bytes.append(buffer, n);
   if (std::ferror(file.get()) != 0) return not_readable(path, reason(errno));
   return bytes;
 }

@@ -12,10 +12,11 @@ namespace crossloft {
 /// The bytes of a file. Errors: file_not_readable, with the reason (missing, a directory, no permission).
 Result<std::string> read_file(const std::string& path);
 
-/// A file under construction: bytes go to a new file beside the target, which takes the target's name on commit().
-/// Until then, and after any failure, the target is as it was; the destructor removes what was not committed. A link
-/// is followed, the permissions of an existing target are kept, and a target that is no regular file (a pipe,
-/// /dev/stdout) is written directly. A process that is killed leaves the temporary file (".NAME.N.tmp") behind.
+/// A file under construction: bytes go to a new file beside the target, which takes the target's name on
+/// commit(). Until then, and after any failure, the target is as it was; the destructor removes what was not
+/// committed. A link is followed, the permissions of an existing target are kept, and a target that is no
+/// regular file (a pipe, /dev/stdout) is written directly. A process that is killed leaves the temporary file
+/// (".NAME.N.tmp") behind.
 class AtomicFile {
  public:
   static Result<AtomicFile> create(const std::string& path);

@@ -27,7 +27,8 @@ class ByteReader {
     for (std::size_t i = 0; i < sizeof(T); ++i) {
       const auto byte = static_cast<unsigned char>(bytes_[at_ + i]);
       const std::size_t place = order_ == std::endian::little ? i : sizeof(T) - 1 - i;
-      bits = static_cast<BitsOf<T>>(bits | static_cast<BitsOf<T>>(static_cast<BitsOf<T>>(byte) << (8 * place)));
+      bits =
+          static_cast<BitsOf<T>>(bits | static_cast<BitsOf<T>>(static_cast<BitsOf<T>>(byte) << (8 * place)));
     }
     at_ += sizeof(T);
     return std::bit_cast<T>(bits);

@@ -25,8 +25,8 @@ void read_edges(TokenReader& in, std::uint32_t count, PlaneSection& plane) {
   }
 }
 
-/// Vertices with an odd number of edges are ends of chains, or vertices where materials meet. Those with equal
-/// coordinates are made one, the first of them.
+/// Vertices with an odd number of edges are ends of chains, or vertices where materials meet. Those with
+/// equal coordinates are made one, the first of them.
 void join_ends(PlaneSection& plane) {
   std::vector<std::uint32_t> degree(plane.vertices.size(), 0), ends;
   for (const ContourEdge& edge : plane.edges) ++degree[edge.a], ++degree[edge.b];
@@ -54,7 +54,9 @@ class Components {
     while (parent_[v] != v) v = parent_[v] = parent_[parent_[v]];
     return v;
   }
-  void unite(std::uint32_t v, std::uint32_t w) { parent_[std::max(find(v), find(w))] = std::min(find(v), find(w)); }
+  void unite(std::uint32_t v, std::uint32_t w) {
+    parent_[std::max(find(v), find(w))] = std::min(find(v), find(w));
+  }
 
  private:
   std::vector<std::uint32_t> parent_;

@@ -22,7 +22,8 @@ void drop_explicit_closure(const PlaneSection& plane, std::vector<std::uint32_t>
   while (loop.size() > 1 && plane.vertices[loop.front()] == plane.vertices[loop.back()]) loop.pop_back();
 }
 
-void add_edges(const Component& component, std::uint32_t contour, std::int32_t material, PlaneSection& plane) {
+void add_edges(const Component& component, std::uint32_t contour, std::int32_t material,
+               PlaneSection& plane) {
   std::vector<std::uint32_t> loop = component.vertices;
   drop_explicit_closure(plane, loop);
   if (loop.size() < 2) return;
@@ -35,7 +36,9 @@ void add_edges(const Component& component, std::uint32_t contour, std::int32_t m
 class CslReader {
  public:
   CslReader(std::string_view text, std::string name, const Context& context)
-      : in_(text, name), context_(context) { sections_.source = std::move(name); }
+      : in_(text, name), context_(context) {
+    sections_.source = std::move(name);
+  }
 
   Result<Sections> read() {
     read_header();
@@ -46,7 +49,8 @@ class CslReader {
     in_.enter(kNone);
     in_.expect_end();
     if (!in_.ok()) return in_.error();
-    if (has_outside_label_) context_.warn("components with a label below 1, which names the outside, are taken as 1");
+    if (has_outside_label_)
+      context_.warn("components with a label below 1, which names the outside, are taken as 1");
     settle_sign_of_offset(sections_, context_);
     note_materials(sections_, context_);
     return std::move(sections_);
@@ -55,7 +59,8 @@ class CslReader {
  private:
   void read_header() {
     const std::string_view keyword = in_.token("the word CSLC");
-    if (keyword != "CSLC") in_.fail(ErrorCode::syntax, "the file begins with " + quoted(keyword) + ", not CSLC");
+    if (keyword != "CSLC")
+      in_.fail(ErrorCode::syntax, "the file begins with " + quoted(keyword) + ", not CSLC");
     planes_ = in_.count("the number of planes");
     if (planes_ == 0) in_.fail(ErrorCode::no_plane, "the file has no cutting plane");
     in_.integer("the number of labels");  // wrong in many files, and not needed
@@ -113,8 +118,8 @@ class CslReader {
     return size;
   }
 
-  /// The material inside of a component: its label, for a hole that of its parent, since the label of a hole is its
-  /// parent's in some files and 2 in others.
+  /// The material inside of a component: its label, for a hole that of its parent, since the label of a hole
+  /// is its parent's in some files and 2 in others.
   static std::int32_t material_of(const std::vector<Component>& components, std::uint32_t c) {
     const std::uint32_t owner = components[c].parent != kNone ? components[c].parent : c;
     return std::max(components[owner].label, 1);

@@ -10,10 +10,11 @@
 
 namespace crossloft {
 
-/// Reads a surface by its extension (.ply .obj .off .stl in any case; another one is ErrorCode::usage). Polygons
-/// become fans around their first vertex. Vertices keep their indices: equal points stay different vertices, but
-/// for STL, which has no indices: there points with equal coordinates become one vertex, and the context is told.
-/// Errors: file_not_readable, syntax, truncated, bad_count, index_out_of_range, not_finite, too_large.
+/// Reads a surface by its extension (.ply .obj .off .stl in any case; another one is ErrorCode::usage).
+/// Polygons become fans around their first vertex. Vertices keep their indices: equal points stay different
+/// vertices, but for STL, which has no indices: there points with equal coordinates become one vertex, and
+/// the context is told. Errors: file_not_readable, syntax, truncated, bad_count, index_out_of_range,
+/// not_finite, too_large.
 Result<Surface> read_surface(const std::string& path, const Context& context = {});
 
 /// The same from the bytes of a file; `name` is the file name used in messages.

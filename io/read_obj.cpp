@@ -9,7 +9,8 @@
 namespace crossloft {
 namespace {
 
-/// The vertex of a corner "v", "v/vt", "v//vn" or "v/vt/vn": from 1 up, or from -1 down counting back from the last.
+/// The vertex of a corner "v", "v/vt", "v//vn" or "v/vt/vn": from 1 up, or from -1 down counting back from
+/// the last.
 std::uint32_t read_corner(TokenReader& in, std::size_t vertices) {
   const std::string_view text = in.token("a corner of a face");
   const std::string_view number = text.substr(0, text.find('/'));
@@ -39,7 +40,8 @@ Result<Surface> parse_obj(std::string_view text, std::string name) {
     const std::string_view keyword = in.token("a keyword");
     if (keyword == "v") {
       surface.points.push_back(in.point("a vertex coordinate"));
-      if (surface.points.size() >= kNone) in.fail(ErrorCode::too_large, "the file has more than 2^32 - 2 vertices");
+      if (surface.points.size() >= kNone)
+        in.fail(ErrorCode::too_large, "the file has more than 2^32 - 2 vertices");
     } else if (keyword == "f") {
       corners.clear();
       while (in.ok() && !in.at_line_end()) corners.push_back(read_corner(in, surface.points.size()));

@@ -14,7 +14,8 @@ std::pair<std::uint32_t, std::uint32_t> read_header(TokenReader& in) {
   if (in.ok() && !keyword.ends_with("OFF")) {
     in.fail(ErrorCode::syntax, "the file begins with " + quoted(keyword) + ", not OFF");
   }
-  if (in.ok() && (keyword.find('4') != std::string_view::npos || keyword.find('n') != std::string_view::npos)) {
+  if (in.ok() &&
+      (keyword.find('4') != std::string_view::npos || keyword.find('n') != std::string_view::npos)) {
     in.fail(ErrorCode::syntax, quoted(keyword) + " files, which are not three-dimensional, are not read");
   }
   const std::uint32_t vertices = in.count("the number of vertices");

@@ -43,9 +43,9 @@ Number number_named(std::string_view name) {
     Number type;
   };
   static constexpr Name kNames[] = {
-      {"char", "int8", Number::int8},       {"uchar", "uint8", Number::uint8},
-      {"short", "int16", Number::int16},    {"ushort", "uint16", Number::uint16},
-      {"int", "int32", Number::int32},      {"uint", "uint32", Number::uint32},
+      {"char", "int8", Number::int8},        {"uchar", "uint8", Number::uint8},
+      {"short", "int16", Number::int16},     {"ushort", "uint16", Number::uint16},
+      {"int", "int32", Number::int32},       {"uint", "uint32", Number::uint32},
       {"float", "float32", Number::float32}, {"double", "float64", Number::float64}};
   for (const Name& known : kNames) {
     if (name == known.old_name || name == known.new_name) return known.type;
@@ -89,7 +89,8 @@ void read_format(TokenReader& in, Header& header) {
 Header read_header(TokenReader& in) {
   Header header;
   std::string_view element;
-  if (in.token("the word ply") != "ply") in.fail(ErrorCode::syntax, "the file does not begin with the word ply");
+  if (in.token("the word ply") != "ply")
+    in.fail(ErrorCode::syntax, "the file does not begin with the word ply");
   bool has_format = false;
   while (in.ok()) {
     const std::string_view keyword = in.token("the header of the PLY file");
@@ -129,22 +130,33 @@ class Body {
 
   /// A value without meaning here, which may even be NaN.
   void skip(Number type) {
-    if (bytes_.has_value()) value(type, "a value");
-    else text_.token("a value");
+    if (bytes_.has_value())
+      value(type, "a value");
+    else
+      text_.token("a value");
   }
 
  private:
   double binary_value(Number type) {
     switch (type) {
-      case Number::int8: return bytes_->read<std::int8_t>();
-      case Number::uint8: return bytes_->read<std::uint8_t>();
-      case Number::int16: return bytes_->read<std::int16_t>();
-      case Number::uint16: return bytes_->read<std::uint16_t>();
-      case Number::int32: return bytes_->read<std::int32_t>();
-      case Number::uint32: return bytes_->read<std::uint32_t>();
-      case Number::float32: return static_cast<double>(bytes_->read<float>());
-      case Number::float64: return bytes_->read<double>();
-      case Number::none: break;
+      case Number::int8:
+        return bytes_->read<std::int8_t>();
+      case Number::uint8:
+        return bytes_->read<std::uint8_t>();
+      case Number::int16:
+        return bytes_->read<std::int16_t>();
+      case Number::uint16:
+        return bytes_->read<std::uint16_t>();
+      case Number::int32:
+        return bytes_->read<std::int32_t>();
+      case Number::uint32:
+        return bytes_->read<std::uint32_t>();
+      case Number::float32:
+        return static_cast<double>(bytes_->read<float>());
+      case Number::float64:
+        return bytes_->read<double>();
+      case Number::none:
+        break;
     }
     return 0;
   }
@@ -196,12 +208,16 @@ class ElementReader {
     const std::uint32_t length = read_length(body_, property.size_type);
     corners_.clear();
     for (std::uint32_t i = 0; i < length && body_.ok(); ++i) {
-      if (property.role == Role::corners) corners_.push_back(read_corner(body_, property.type, vertices_));
-      else body_.skip(property.type);
+      if (property.role == Role::corners)
+        corners_.push_back(read_corner(body_, property.type, vertices_));
+      else
+        body_.skip(property.type);
     }
     if (property.role != Role::corners || !body_.ok()) return;
-    if (length < 3) body_.fail(ErrorCode::bad_count, "a face has fewer than three corners");
-    else add_fan(surface_, corners_);
+    if (length < 3)
+      body_.fail(ErrorCode::bad_count, "a face has fewer than three corners");
+    else
+      add_fan(surface_, corners_);
   }
 
   void add_point(const Vec3& point) {

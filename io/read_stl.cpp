@@ -29,14 +29,17 @@ class Welder {
  public:
   void add_triangle(const std::array<Vec3, 3>& corners) {
     const std::array<std::uint32_t, 3> t{weld(corners[0]), weld(corners[1]), weld(corners[2])};
-    if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) surface_.triangles.push_back(t);
-    else ++dropped_;
+    if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0])
+      surface_.triangles.push_back(t);
+    else
+      ++dropped_;
   }
 
   Surface finish(const Context& context) {
     context.note("points of the STL file with equal coordinates were joined: " +
                  std::to_string(surface_.points.size()) + " vertices");
-    if (dropped_ != 0) context.warn(std::to_string(dropped_) + " STL facets without three different corners dropped");
+    if (dropped_ != 0)
+      context.warn(std::to_string(dropped_) + " STL facets without three different corners dropped");
     return std::move(surface_);
   }
 
@@ -71,7 +74,8 @@ bool is_binary(std::string_view bytes) {
 
 Result<Surface> parse_binary(std::string_view bytes, std::string name, const Context& context) {
   if (bytes.size() < kHeaderBytes + kCountBytes) {
-    return Error{.code = ErrorCode::truncated, .message = "the file ends within its header", .file = std::move(name)};
+    return Error{
+        .code = ErrorCode::truncated, .message = "the file ends within its header", .file = std::move(name)};
   }
   const std::uint64_t facets = facets_of_binary(bytes);
   if (bytes.size() < kHeaderBytes + kCountBytes + kFacetBytes * facets) {
@@ -97,8 +101,8 @@ Result<Surface> parse_binary(std::string_view bytes, std::string name, const Con
   return welder.finish(context);
 }
 
-/// Between the corners of a facet stand "endloop endfacet facet normal x y z outer loop"; only "vertex" counts, and
-/// three of them make a facet.
+/// Between the corners of a facet stand "endloop endfacet facet normal x y z outer loop"; only "vertex"
+/// counts, and three of them make a facet.
 Result<Surface> parse_ascii(std::string_view text, std::string name, const Context& context) {
   TokenReader in(text, std::move(name));
   in.token("the word solid");

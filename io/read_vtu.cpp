@@ -9,7 +9,8 @@ namespace crossloft {
 namespace {
 
 /// The value of `name="..."` in the first tag that begins with `tag`, nothing when it is not there.
-std::optional<std::string_view> attribute(std::string_view xml, const std::string& tag, const std::string& name) {
+std::optional<std::string_view> attribute(std::string_view xml, const std::string& tag,
+                                          const std::string& name) {
   const std::size_t begin = xml.find(tag);
   if (begin == std::string_view::npos) return std::nullopt;
   const std::string_view inside = xml.substr(begin, xml.find('>', begin) - begin);
@@ -38,8 +39,10 @@ class VtuReader {
            attribute(header_, "<VTKFile", "header_type") == "UInt64";
   }
 
-  /// The elements of an array of items of `item_bytes`, nothing when it is missing, cut off or of another length.
-  std::optional<ByteReader> array(const std::string& attributes, std::uint64_t items, std::uint64_t item_bytes) const {
+  /// The elements of an array of items of `item_bytes`, nothing when it is missing, cut off or of another
+  /// length.
+  std::optional<ByteReader> array(const std::string& attributes, std::uint64_t items,
+                                  std::uint64_t item_bytes) const {
     const std::optional<std::uint64_t> offset = number("<DataArray " + attributes, "offset");
     if (!offset.has_value() || *offset > data_.size() || items > data_.size()) return std::nullopt;
     ByteReader in(data_.substr(static_cast<std::size_t>(*offset)));
@@ -62,7 +65,9 @@ class VtuReader {
 }  // namespace
 
 Result<Solid> parse_vtu(std::string_view bytes, std::string name) {
-  const auto bad = [&](ErrorCode code, const char* what) { return Error{.code = code, .message = what, .file = name}; };
+  const auto bad = [&](ErrorCode code, const char* what) {
+    return Error{.code = code, .message = what, .file = name};
+  };
   const VtuReader vtu(bytes);
   const auto points = vtu.number("<Piece", "NumberOfPoints"), cells = vtu.number("<Piece", "NumberOfCells");
   if (!vtu.is_known_layout() || !points.has_value() || !cells.has_value()) {
@@ -72,20 +77,23 @@ Result<Solid> parse_vtu(std::string_view bytes, std::string name) {
   auto corners = vtu.array("type=\"Int32\" Name=\"connectivity\"", *cells, 16);
   auto types = vtu.array("type=\"UInt8\" Name=\"types\"", *cells, 1);
   if (!coordinates.has_value() || !corners.has_value() || !types.has_value()) {
-    return bad(ErrorCode::truncated, "a data array is missing or does not have the length that the header says");
+    return bad(ErrorCode::truncated,
+               "a data array is missing or does not have the length that the header says");
   }
   Solid solid;
   solid.points.resize(static_cast<std::size_t>(*points));
   for (Vec3& p : solid.points) {
     p.x = coordinates->read<double>(), p.y = coordinates->read<double>(), p.z = coordinates->read<double>();
-    if (!is_finite(p)) return bad(ErrorCode::not_finite, "a vertex has a coordinate that is no finite number");
+    if (!is_finite(p))
+      return bad(ErrorCode::not_finite, "a vertex has a coordinate that is no finite number");
   }
   solid.tets.resize(static_cast<std::size_t>(*cells));
   for (auto& tet : solid.tets) {
     if (types->read<std::uint8_t>() != 10) return bad(ErrorCode::syntax, "a cell is no tetrahedron");
     for (std::uint32_t& corner : tet) {
       corner = corners->read<std::uint32_t>();
-      if (corner >= *points) return bad(ErrorCode::index_out_of_range, "a tetrahedron names a missing vertex");
+      if (corner >= *points)
+        return bad(ErrorCode::index_out_of_range, "a tetrahedron names a missing vertex");
     }
   }
   return solid;

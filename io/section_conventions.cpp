@@ -37,7 +37,8 @@ void read_plane_equation(TokenReader& in, PlaneSection& plane) {
 void read_vertices(TokenReader& in, std::uint32_t count, PlaneSection& plane) {
   constexpr std::size_t kLeastBytes = 6;  // "0 0 0 "
   plane.vertices.reserve(in.room_for(count, kLeastBytes));
-  for (std::uint32_t v = 0; v < count && in.ok(); ++v) plane.vertices.push_back(in.point("a vertex coordinate"));
+  for (std::uint32_t v = 0; v < count && in.ok(); ++v)
+    plane.vertices.push_back(in.point("a vertex coordinate"));
 }
 
 void settle_sign_of_offset(Sections& sections, const Context& context) {

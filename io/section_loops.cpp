@@ -40,8 +40,10 @@ std::vector<ContourEdge> walls_of(const PlaneSection& plane) {
   std::vector<std::uint32_t> kept;
   for (std::size_t i = 0; i < keyed.size(); ++i) {
     const bool pair = i + 1 < keyed.size() && keyed[i].first == keyed[i + 1].first;
-    if (pair) ++i;
-    else kept.push_back(keyed[i].second);
+    if (pair)
+      ++i;
+    else
+      kept.push_back(keyed[i].second);
   }
   std::sort(kept.begin(), kept.end());
   std::vector<ContourEdge> walls;
@@ -61,7 +63,10 @@ double pseudo_angle(double dx, double dy) {
 class LoopTracer {
  public:
   LoopTracer(const PlaneSection& plane, const std::vector<Point2>& points)
-      : points_(points), walls_(walls_of(plane)), ends_at_(plane.vertices.size()), partner_(2 * walls_.size()) {
+      : points_(points),
+        walls_(walls_of(plane)),
+        ends_at_(plane.vertices.size()),
+        partner_(2 * walls_.size()) {
     for (End e = 0; e < partner_.size(); ++e) ends_at_[vertex(e)].push_back(e);
   }
 
@@ -127,7 +132,8 @@ class LoopTracer {
 
 class Nesting {
  public:
-  Nesting(const std::vector<Point2>& points, std::vector<SectionLoop>& loops) : points_(points), loops_(loops) {
+  Nesting(const std::vector<Point2>& points, std::vector<SectionLoop>& loops)
+      : points_(points), loops_(loops) {
     for (const SectionLoop& loop : loops) boxes_.push_back(box(loop));
   }
 
@@ -140,9 +146,9 @@ class Nesting {
     }
     for (std::uint32_t i = 0; i < loops_.size(); ++i) {
       if (around[i].size() % 2 == 0) continue;
-      loops_[i].parent = *std::max_element(around[i].begin(), around[i].end(), [&](std::uint32_t j, std::uint32_t k) {
-        return around[j].size() < around[k].size();
-      });
+      loops_[i].parent = *std::max_element(
+          around[i].begin(), around[i].end(),
+          [&](std::uint32_t j, std::uint32_t k) { return around[j].size() < around[k].size(); });
     }
   }
 

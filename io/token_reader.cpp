@@ -19,17 +19,21 @@ std::string_view without_plus(std::string_view token) {
   return plus ? token.substr(1) : token;
 }
 
-/// Tells overflow from underflow of a well-formed decimal that std::from_chars calls out of range: the sign of
-/// the decimal exponent of its first digit that is not 0.
+/// Tells overflow from underflow of a well-formed decimal that std::from_chars calls out of range: the sign
+/// of the decimal exponent of its first digit that is not 0.
 bool is_huge(std::string_view decimal) {
   std::int64_t magnitude = 0;
   bool in_fraction = false, found = false;
   std::size_t i = decimal[0] == '-' ? 1 : 0;
   for (; i < decimal.size() && (is_digit(decimal[i]) || decimal[i] == '.'); ++i) {
-    if (decimal[i] == '.') in_fraction = true;
-    else if (found) magnitude += in_fraction ? 0 : 1;
-    else if (decimal[i] != '0') found = true;
-    else magnitude -= in_fraction ? 1 : 0;
+    if (decimal[i] == '.')
+      in_fraction = true;
+    else if (found)
+      magnitude += in_fraction ? 0 : 1;
+    else if (decimal[i] != '0')
+      found = true;
+    else
+      magnitude -= in_fraction ? 1 : 0;
   }
   if (i >= decimal.size()) return magnitude > 0;
   const std::string_view digits = without_plus(decimal.substr(i + 1));
@@ -84,7 +88,8 @@ void TokenReader::enter(std::uint32_t plane, std::uint32_t contour) {
   error_.contour = contour;
 }
 
-/// Moves to the next character of a token; false when the text, or without `over_lines` the line, ends before.
+/// Moves to the next character of a token; false when the text, or without `over_lines` the line, ends
+/// before.
 bool TokenReader::skip_blanks(bool over_lines) {
   for (; at_ < text_.size(); ++at_) {
     const char c = text_[at_];
@@ -140,9 +145,11 @@ Vec3 TokenReader::point(const char* what) {
 }
 
 std::uint32_t TokenReader::count_in(std::string_view text, const char* what) {
-  // Each item takes more than a byte, so a larger count can't be true; a small one is left to end in "truncated".
+  // Each item takes more than a byte, so a larger count can't be true; a small one is left to end in
+  // "truncated".
   constexpr std::size_t kSmall = 1 << 16;
-  const auto most = static_cast<std::int64_t>(std::min<std::size_t>(std::max(kSmall, text_.size()), kNone - 1));
+  const auto most =
+      static_cast<std::int64_t>(std::min<std::size_t>(std::max(kSmall, text_.size()), kNone - 1));
   if (!ok_) return 0;
   std::int64_t value = 0;
   double real_value = 0;
@@ -152,7 +159,8 @@ std::uint32_t TokenReader::count_in(std::string_view text, const char* what) {
   } else if (real_value > static_cast<double>(most)) {
     fail(ErrorCode::bad_count, std::string(what) + " is " + quoted(text) + ", more than the file can hold");
   } else {
-    fail(ErrorCode::bad_count, std::string(what) + " is " + quoted(text) + ", which is no whole number from 0 up");
+    fail(ErrorCode::bad_count,
+         std::string(what) + " is " + quoted(text) + ", which is no whole number from 0 up");
   }
   return 0;
 }

@@ -1,9 +1,9 @@
 #pragma once
 /// White-space separated tokens of a text with the line each stands on, and numbers read from them.
 ///
-/// The first failure is kept with its place; from then on every read gives 0 and ok() is false, so that a parser
-/// reads a record and asks once. Numbers don't depend on the locale and are correctly rounded. Line ends are LF,
-/// CRLF or CR.
+/// The first failure is kept with its place; from then on every read gives 0 and ok() is false, so that a
+/// parser reads a record and asks once. Numbers don't depend on the locale and are correctly rounded. Line
+/// ends are LF, CRLF or CR.
 
 #include <cstddef>
 #include <cstdint>

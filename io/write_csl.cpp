@@ -51,8 +51,10 @@ Result<std::string> format_csl(const Sections& sections, const Context& context)
     }
     append_plane(planes, p + 1, sections.planes[p], *loops);
   }
-  if (mixed) context.warn(".csl knows one material per contour: where a contour bounds several, the first is written");
-  return "CSLC\n" + std::to_string(sections.planes.size()) + ' ' + std::to_string(labels.size()) + '\n' + planes;
+  if (mixed)
+    context.warn(".csl knows one material per contour: where a contour bounds several, the first is written");
+  return "CSLC\n" + std::to_string(sections.planes.size()) + ' ' + std::to_string(labels.size()) + '\n' +
+         planes;
 }
 
 }  // namespace crossloft

@@ -1,6 +1,6 @@
 #pragma once
-/// Writes cross-sections as `.contour` or `.csl`, planes as n.x + D = 0, numbers as the shortest decimals that read
-/// back as the same doubles.
+/// Writes cross-sections as `.contour` or `.csl`, planes as n.x + D = 0, numbers as the shortest decimals
+/// that read back as the same doubles.
 
 #include <string>
 
@@ -14,14 +14,14 @@ namespace crossloft {
 /// The target appears whole or stays as it was (ErrorCode::file_not_writable).
 Result<Done> write_sections(const std::string& path, const Sections& sections, const Context& context = {});
 
-/// The text of a `.contour` file. Reading it gives the same planes, vertices and edges in the same order; only
-/// source, lines and contour numbers are new.
+/// The text of a `.contour` file. Reading it gives the same planes, vertices and edges in the same order;
+/// only source, lines and contour numbers are new.
 std::string format_contour(const Sections& sections);
 
-/// The text of a `.csl` file: the walls of each section as closed loops that do not cross at vertices of higher
-/// degree, holes marked with their parent. The format knows one material per contour; where a loop has more, the
-/// first is written and the context warned. The marks of holes are decided in double precision and are advisory:
-/// inside is even-odd. Errors: open_chain when walls do not close.
+/// The text of a `.csl` file: the walls of each section as closed loops that do not cross at vertices of
+/// higher degree, holes marked with their parent. The format knows one material per contour; where a loop has
+/// more, the first is written and the context warned. The marks of holes are decided in double precision and
+/// are advisory: inside is even-odd. Errors: open_chain when walls do not close.
 Result<std::string> format_csl(const Sections& sections, const Context& context = {});
 
 }  // namespace crossloft

@@ -35,8 +35,10 @@ void write_vtu_header(ByteWriter& out, const Solid& solid) {
     out.decimal(offset).text("\"/>\n");
     offset += sizeof(std::uint64_t) + data.bytes;
   };
-  out.text("<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
-           "header_type=\"UInt64\">\n  <UnstructuredGrid>\n    <Piece NumberOfPoints=\"");
+  out.text(
+      "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" "
+      "byte_order=\"LittleEndian\" "
+      "header_type=\"UInt64\">\n  <UnstructuredGrid>\n    <Piece NumberOfPoints=\"");
   out.decimal(points).text("\" NumberOfCells=\"").decimal(tets).text("\">\n      <Points>\n");
   array(coordinates);
   out.text("      </Points>\n      <Cells>\n");
@@ -74,11 +76,14 @@ void write_medit(ByteWriter& out, const Solid& solid) {
 Result<Done> check(const std::string& path, const Solid& solid) {
   constexpr std::size_t kMost = std::numeric_limits<std::int32_t>::max();
   if (solid.points.size() > kMost || solid.tets.size() > kMost) {
-    return Error{.code = ErrorCode::too_large, .message = "the solid has more than 2^31 - 1 elements", .file = path};
+    return Error{
+        .code = ErrorCode::too_large, .message = "the solid has more than 2^31 - 1 elements", .file = path};
   }
   for (const Tet& t : solid.tets) {
     if (*std::max_element(t.begin(), t.end()) < solid.points.size()) continue;
-    return Error{.code = ErrorCode::index_out_of_range, .message = "a tetrahedron names a missing vertex", .file = path};
+    return Error{.code = ErrorCode::index_out_of_range,
+                 .message = "a tetrahedron names a missing vertex",
+                 .file = path};
   }
   return Done{};
 }

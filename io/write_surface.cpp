@@ -16,7 +16,8 @@ using Triangle = std::array<std::uint32_t, 3>;
 
 void write_ply(ByteWriter& out, const Surface& surface) {
   out.text("ply\nformat binary_little_endian 1.0\ncomment Crossloft\nelement vertex ");
-  out.decimal(surface.points.size()).text("\nproperty double x\nproperty double y\nproperty double z\nelement face ");
+  out.decimal(surface.points.size())
+      .text("\nproperty double x\nproperty double y\nproperty double z\nelement face ");
   out.decimal(surface.triangles.size()).text("\nproperty list uchar int vertex_indices\nend_header\n");
   for (const Vec3& p : surface.points) out.little_endian(p.x).little_endian(p.y).little_endian(p.z);
   for (const Triangle& t : surface.triangles) {
@@ -83,11 +84,13 @@ Writer writer_for(const std::string& extension) {
 Result<Done> check(const std::string& path, const Surface& surface) {
   constexpr std::size_t kMost = std::numeric_limits<std::int32_t>::max();
   if (surface.points.size() > kMost || surface.triangles.size() > kMost) {
-    return Error{.code = ErrorCode::too_large, .message = "the surface has more than 2^31 - 1 elements", .file = path};
+    return Error{
+        .code = ErrorCode::too_large, .message = "the surface has more than 2^31 - 1 elements", .file = path};
   }
   for (const Triangle& t : surface.triangles) {
     if (*std::max_element(t.begin(), t.end()) < surface.points.size()) continue;
-    return Error{.code = ErrorCode::index_out_of_range, .message = "a triangle names a missing vertex", .file = path};
+    return Error{
+        .code = ErrorCode::index_out_of_range, .message = "a triangle names a missing vertex", .file = path};
   }
   return Done{};
 }
@@ -100,7 +103,8 @@ Result<Done> write_surface(const std::string& path, const Surface& surface, cons
   if (write == nullptr) return unknown_extension(path, ".ply, .obj, .off and .stl");
   if (Result<Done> good = check(path, surface); !good.ok()) return good;
   if (extension == "stl") {
-    context.warn("STL rounds to 32 bits and its readers join equal points: the file can't carry the guarantees");
+    context.warn(
+        "STL rounds to 32 bits and its readers join equal points: the file can't carry the guarantees");
   }
   Result<AtomicFile> file = AtomicFile::create(path);
   if (!file.ok()) return file.error();

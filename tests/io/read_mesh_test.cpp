@@ -30,18 +30,19 @@ template <class T>
 void append(std::string& bytes, T value, std::endian order) {
   const std::size_t begin = bytes.size();
   append_little_endian(bytes, value);
-  if (order == std::endian::big) std::reverse(bytes.begin() + static_cast<std::ptrdiff_t>(begin), bytes.end());
+  if (order == std::endian::big)
+    std::reverse(bytes.begin() + static_cast<std::ptrdiff_t>(begin), bytes.end());
 }
 
 /// A square with other properties and elements around what counts.
 std::string binary_ply(std::endian order, const std::string& end = "\n") {
   const char* name = order == std::endian::big ? "binary_big_endian" : "binary_little_endian";
   std::string bytes = "ply" + end + "format " + name + " 1.0" + end;
-  for (const char* line : {"comment element face 7", "element camera 2", "property list uchar float view",
-                           "element vertex 4", "property uchar red", "property float x", "property double y",
-                           "property int16 z", "property float quality", "element face 1", "property uint8 flags",
-                           "property list ushort uint vertex_index", "property list uchar float texcoord",
-                           "end_header"}) {
+  for (const char* line :
+       {"comment element face 7", "element camera 2", "property list uchar float view", "element vertex 4",
+        "property uchar red", "property float x", "property double y", "property int16 z",
+        "property float quality", "element face 1", "property uint8 flags",
+        "property list ushort uint vertex_index", "property list uchar float texcoord", "end_header"}) {
     bytes += line + end;
   }
   append(bytes, std::uint8_t{1}, order), append(bytes, 0.5f, order), append(bytes, std::uint8_t{0}, order);
@@ -67,11 +68,13 @@ const std::string kObj =
     "# a square\nmtllib a.mtl\no square\nv 0 0 0\nv 1.5 0 0 1.0\nv 1.5 1 0 0.5 0.5 0.5\nvt 0 0\nvn 0 0 1\n"
     "v 0 1 -2\nusemtl red#1\ns off\nf 1/1/1 2//1 -2/1 4 # all forms\n";
 
-const std::string kOff = "OFF # a square\n# counts\n4 1 0\n\n0 0 0\n1.5 0 0\n1.5 1 0 255 0 0\n0 1 -2\n4  0 1 2 3  1 0 0\n";
+const std::string kOff =
+    "OFF # a square\n# counts\n4 1 0\n\n0 0 0\n1.5 0 0\n1.5 1 0 255 0 0\n0 1 -2\n4  0 1 2 3  1 0 0\n";
 
 const std::string kStl =
     "solid a square\nfacet normal 0 0 1\n outer loop\n  vertex 0 0 0\n  vertex 1.5 0 0\n  vertex 1.5 1 0\n"
-    " endloop\nendfacet\nfacet normal 0 0 1\n outer loop\n  vertex 0 0 -0\n  vertex 1.5 1 0\n  vertex 0 1 -2\n"
+    " endloop\nendfacet\nfacet normal 0 0 1\n outer loop\n  vertex 0 0 -0\n  vertex 1.5 1 0\n  vertex 0 1 "
+    "-2\n"
     " endloop\nendfacet\nendsolid a square\n";
 
 std::string binary_stl(const std::string& header, const std::vector<float>& corners) {
@@ -100,7 +103,9 @@ std::string with_crlf(const std::string& text) {
 
 using Parser = Result<Surface> (*)(std::string_view, std::string);
 
-Result<Surface> parse_stl_quietly(std::string_view bytes, std::string name) { return parse_stl(bytes, std::move(name)); }
+Result<Surface> parse_stl_quietly(std::string_view bytes, std::string name) {
+  return parse_stl(bytes, std::move(name));
+}
 
 struct BadInput {
   std::string name;
@@ -159,29 +164,37 @@ TEST_CASE("equal points of indexed formats stay different vertices") {
 TEST_CASE("bad surfaces") {
   const std::string ply = binary_ply(std::endian::little);
   const std::string header = kAsciiPly.substr(0, kAsciiPly.find("element face"));
-  const std::string nan_stl = binary_stl("", {0, 0, 0, std::numeric_limits<float>::quiet_NaN(), 0, 0, 1, 1, 0});
+  const std::string nan_stl =
+      binary_stl("", {0, 0, 0, std::numeric_limits<float>::quiet_NaN(), 0, 0, 1, 1, 0});
   const BadInput corpus[] = {
       {"ply: empty", parse_ply, "", ErrorCode::truncated, 1},
       {"ply: other word", parse_ply, "plx\n", ErrorCode::syntax, 1},
       {"ply: no format", parse_ply, "ply\nelement vertex 0\nend_header\n", ErrorCode::syntax, 3},
       {"ply: unknown format", parse_ply, replaced(kAsciiPly, "ascii", "utf8"), ErrorCode::syntax, 2},
       {"ply: unknown type", parse_ply, replaced(kAsciiPly, "float y", "half y"), ErrorCode::syntax, 5},
-      {"ply: unknown keyword", parse_ply, replaced(kAsciiPly, "element face", "elephant face"), ErrorCode::syntax, 8},
+      {"ply: unknown keyword", parse_ply, replaced(kAsciiPly, "element face", "elephant face"),
+       ErrorCode::syntax, 8},
       {"ply: property first", parse_ply, "ply\nformat ascii 1.0\nproperty int x\n", ErrorCode::syntax, 3},
       {"ply: header cut off", parse_ply, header, ErrorCode::truncated, 8},
-      {"ply: negative count", parse_ply, replaced(kAsciiPly, "vertex 4", "vertex -4"), ErrorCode::bad_count, 3},
-      {"ply: huge count", parse_ply, replaced(kAsciiPly, "vertex 4", "vertex 4000000"), ErrorCode::bad_count, 3},
+      {"ply: negative count", parse_ply, replaced(kAsciiPly, "vertex 4", "vertex -4"), ErrorCode::bad_count,
+       3},
+      {"ply: huge count", parse_ply, replaced(kAsciiPly, "vertex 4", "vertex 4000000"), ErrorCode::bad_count,
+       3},
       {"ply: nan", parse_ply, replaced(kAsciiPly, "1.5 1 0", "1.5 nan 0"), ErrorCode::not_finite, 13},
-      {"ply: index", parse_ply, replaced(kAsciiPly, "4 0 1 2 3", "4 0 1 2 4"), ErrorCode::index_out_of_range, 15},
+      {"ply: index", parse_ply, replaced(kAsciiPly, "4 0 1 2 3", "4 0 1 2 4"), ErrorCode::index_out_of_range,
+       15},
       {"ply: two corners", parse_ply, replaced(kAsciiPly, "4 0 1 2 3", "2 0 1"), ErrorCode::bad_count, 15},
       {"ply: negative list", parse_ply, replaced(kAsciiPly, "4 0 1 2 3", "-1 0 1"), ErrorCode::bad_count, 15},
-      {"ply: list too long", parse_ply, replaced(kAsciiPly, "4 0 1 2 3", "4000000 0"), ErrorCode::truncated, 16},
+      {"ply: list too long", parse_ply, replaced(kAsciiPly, "4 0 1 2 3", "4000000 0"), ErrorCode::truncated,
+       16},
       {"ply: text after the end", parse_ply, kAsciiPly + "4 0 1 2 3\n", ErrorCode::syntax, 16},
       {"ply: bytes cut off", parse_ply, ply.substr(0, ply.size() - 1), ErrorCode::truncated, 0},
       {"obj: index 0", parse_obj, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 0 1 2\n", ErrorCode::index_out_of_range, 4},
       {"obj: too large", parse_obj, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n", ErrorCode::index_out_of_range, 4},
-      {"obj: too far back", parse_obj, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 -4\n", ErrorCode::index_out_of_range, 4},
-      {"obj: least integer", parse_obj, "v 0 0 0\nf -9223372036854775808 1 1\n", ErrorCode::index_out_of_range, 2},
+      {"obj: too far back", parse_obj, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 -4\n", ErrorCode::index_out_of_range,
+       4},
+      {"obj: least integer", parse_obj, "v 0 0 0\nf -9223372036854775808 1 1\n",
+       ErrorCode::index_out_of_range, 2},
       {"obj: no index", parse_obj, "v 0 0 0\nf a b c\n", ErrorCode::syntax, 2},
       {"obj: two corners", parse_obj, "v 0 0 0\nv 1 0 0\nf 1 2\n", ErrorCode::bad_count, 3},
       {"obj: nan", parse_obj, "v 0 0 nan\n", ErrorCode::not_finite, 1},
@@ -193,7 +206,8 @@ TEST_CASE("bad surfaces") {
       {"off: corner count", parse_off, replaced(kOff, "4  0", "-4  0"), ErrorCode::bad_count, 9},
       {"off: cut off", parse_off, kOff.substr(0, kOff.find("0 1 -2")), ErrorCode::truncated, 8},
       {"stl: empty", parse_stl_quietly, "", ErrorCode::truncated, 0},
-      {"stl: text cut off", parse_stl_quietly, kStl.substr(0, kStl.find("endsolid")), ErrorCode::truncated, 15},
+      {"stl: text cut off", parse_stl_quietly, kStl.substr(0, kStl.find("endsolid")), ErrorCode::truncated,
+       15},
       {"stl: two corners", parse_stl_quietly, replaced(kStl, "  vertex 1.5 0 0\n", ""), ErrorCode::syntax, 7},
       {"stl: unknown word", parse_stl_quietly, replaced(kStl, "outer", "inner"), ErrorCode::syntax, 3},
       {"stl: infinite", parse_stl_quietly, replaced(kStl, "0 1 -2", "0 1 inf"), ErrorCode::not_finite, 13},
@@ -216,13 +230,18 @@ TEST_CASE("random damage to a surface is an error or a valid surface") {
   CAPTURE(kSeed);
   std::mt19937 random(kSeed);
   const std::pair<Parser, std::string> files[] = {
-      {parse_ply, kAsciiPly}, {parse_ply, binary_ply(std::endian::little)}, {parse_ply, binary_ply(std::endian::big)},
-      {parse_obj, kObj},      {parse_off, kOff},                            {parse_stl_quietly, kStl},
+      {parse_ply, kAsciiPly},
+      {parse_ply, binary_ply(std::endian::little)},
+      {parse_ply, binary_ply(std::endian::big)},
+      {parse_obj, kObj},
+      {parse_off, kOff},
+      {parse_stl_quietly, kStl},
       {parse_stl_quietly, binary_stl("", {0, 0, 0, 1, 0, 0, 1, 1, 0})}};
   for (int round = 0; round < 14000; ++round) {
     const auto& [parse, good] = files[round % std::size(files)];
     std::string text = good;
-    for (unsigned n = 1 + random() % 3; n > 0; --n) text[random() % text.size()] = static_cast<char>(random() % 256);
+    for (unsigned n = 1 + random() % 3; n > 0; --n)
+      text[random() % text.size()] = static_cast<char>(random() % 256);
     const Result<Surface> read = parse(text, "");
     if (!read.ok()) continue;
     for (const Vec3& p : read->points) CHECK(is_finite(p));
@@ -245,7 +264,8 @@ TEST_CASE("surfaces and solids from files by extension") {
 TEST_CASE("Medit: other sections are passed over") {
   const Result<Solid> read = parse_medit(
       "MeshVersionFormatted 2\n\nDimension\n3\n# comment\nVertices\n4\n0 0 0 1\n1 0 0 1\n0 1 0 1\n0 0 1.5 1\n"
-      "Triangles\n1\n1 2 3 7\nTetrahedra\n1\n1 2 3 4 9\nEnd\n", "");
+      "Triangles\n1\n1 2 3 7\nTetrahedra\n1\n1 2 3 4 9\nEnd\n",
+      "");
   REQUIRE(read.ok());
   CHECK(read->points[3] == Vec3{0, 0, 1.5});
   REQUIRE(read->tets.size() == 1);

@@ -56,15 +56,16 @@ TEST_CASE("a .contour file gives planes, vertices, edges and their lines") {
 TEST_CASE("contours of .contour are components in order of first appearance") {
   const Result<Sections> read = parse_contour(
       "1\n0 0 1 0\n6 6\n0 0 0 1 0 0 0 1 0 5 0 0 6 0 0 5 1 0\n"
-      "3 4 1 0  0 1 1 0  4 5 1 0  1 2 1 0  5 3 1 0  2 0 1 0\n", "");
+      "3 4 1 0  0 1 1 0  4 5 1 0  1 2 1 0  5 3 1 0  2 0 1 0\n",
+      "");
   REQUIRE(read.ok());
   const std::vector<std::uint32_t> expected{0, 1, 0, 1, 0, 1};
   for (std::size_t e = 0; e < expected.size(); ++e) CHECK(read->planes[0].edges[e].contour == expected[e]);
 }
 
 TEST_CASE("a contour that repeats its first vertex at the end is closed") {
-  const Result<Sections> read = parse_contour(
-      "1\n0 0 1 0\n4 3\n0 0 0 1 0 0 0 1 0 0 0 0\n0 1 1 0\n1 2 1 0\n2 3 1 0\n", "");
+  const Result<Sections> read =
+      parse_contour("1\n0 0 1 0\n4 3\n0 0 0 1 0 0 0 1 0 0 0 0\n0 1 1 0\n1 2 1 0\n2 3 1 0\n", "");
   REQUIRE(read.ok());
   CHECK(read->planes[0].vertices.size() == 4);
   CHECK(read->planes[0].edges[2].b == 0);
@@ -219,7 +220,8 @@ TEST_CASE("bad .contour files") {
       {"zero normal", replaced(good, "0 0 2 -2", "0 -0 0 -2"), ErrorCode::zero_normal, 13, 1},
       {"index too large", replaced(good, "2 3 1 0", "2 4 1 0"), ErrorCode::index_out_of_range, 10, 0},
       {"negative index", replaced(good, "2 3 1 0", "-1 3 1 0"), ErrorCode::index_out_of_range, 10, 0},
-      {"index beyond 32 bits", replaced(good, "2 3 1 0", "4294967298 3 1 0"), ErrorCode::index_out_of_range, 10, 0},
+      {"index beyond 32 bits", replaced(good, "2 3 1 0", "4294967298 3 1 0"), ErrorCode::index_out_of_range,
+       10, 0},
       {"fractional index", replaced(good, "2 3 1 0", "2.5 3 1 0"), ErrorCode::syntax, 10, 0},
       {"fractional material", replaced(good, "2 3 1 0", "2 3 0.5 0"), ErrorCode::syntax, 10, 0},
       {"material beyond 32 bits", replaced(good, "2 3 1 0", "2 3 3000000000 0"), ErrorCode::syntax, 10, 0},
@@ -261,8 +263,7 @@ TEST_CASE("bad .csl files") {
 
 TEST_CASE("messages are sentences that name the place and quote the text safely") {
   const Result<Sections> word = parse_contour(replaced(kTwoSquares, "1 1 0", "1 o\x1bne 0"), "a.contour");
-  CHECK(to_string(word.error()) ==
-        "a.contour:6: plane 0: 'o?ne' stands where a vertex coordinate should be");
+  CHECK(to_string(word.error()) == "a.contour:6: plane 0: 'o?ne' stands where a vertex coordinate should be");
   const Result<Sections> index = parse_csl(replaced(kSquareWithHole, "10 11\n", "10 12\n"), "a.csl");
   CHECK(to_string(index.error()) ==
         "a.csl:20: plane 0, contour 2: a vertex of a component is '12', but there are 12, counted from 0");
@@ -289,7 +290,8 @@ TEST_CASE("random damage is an error or valid data") {
   for (int round = 0; round < 20000; ++round) {
     const bool csl = round % 2 == 0;
     std::string text = csl ? kSquareWithHole : kTwoSquares;
-    for (unsigned n = 1 + random() % 3; n > 0; --n) text[random() % text.size()] = alphabet[random() % alphabet.size()];
+    for (unsigned n = 1 + random() % 3; n > 0; --n)
+      text[random() % text.size()] = alphabet[random() % alphabet.size()];
     const Result<Sections> read = csl ? parse_csl(text, "") : parse_contour(text, "");
     if (!read.ok()) continue;
     for (const PlaneSection& plane : read->planes) {
@@ -325,10 +327,11 @@ TEST_CASE("the scenes of the figures") {
     std::string name;
     std::size_t planes, vertices, contours;
   };
-  const Scene scenes[] = {{"fig14p", 6, 440, 6},      {"fig16_center", 2, 144, 5}, {"fig16_one_two", 2, 88, 3},
-                          {"fig16_shift", 2, 144, 5}, {"fig17", 2, 88, 3},         {"fig17_cross", 2, 579, 2},
-                          {"fig18", 2, 160, 2},       {"fig19", 2, 164, 5},        {"fig20", 2, 266, 6},
-                          {"fig20b", 2, 182, 4}};
+  const Scene scenes[] = {{"fig14p", 6, 440, 6},       {"fig16_center", 2, 144, 5},
+                          {"fig16_one_two", 2, 88, 3}, {"fig16_shift", 2, 144, 5},
+                          {"fig17", 2, 88, 3},         {"fig17_cross", 2, 579, 2},
+                          {"fig18", 2, 160, 2},        {"fig19", 2, 164, 5},
+                          {"fig20", 2, 266, 6},        {"fig20b", 2, 182, 4}};
   for (const Scene& scene : scenes) {
     CAPTURE(scene.name);
     Heard heard;
@@ -340,7 +343,8 @@ TEST_CASE("the scenes of the figures") {
     for (const PlaneSection& plane : read->planes) {
       vertices += plane.vertices.size();
       std::size_t in_plane = 0;
-      for (const ContourEdge& edge : plane.edges) in_plane = std::max<std::size_t>(in_plane, edge.contour + 1);
+      for (const ContourEdge& edge : plane.edges)
+        in_plane = std::max<std::size_t>(in_plane, edge.contour + 1);
       contours += in_plane;
     }
     CHECK(read->planes.size() == scene.planes);

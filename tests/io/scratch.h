@@ -31,7 +31,8 @@ class Scratch {
 
   std::string path(const std::string& name = "") const { return (directory_ / name).string(); }
   std::string add(const std::string& name, std::string_view bytes) const {
-    std::ofstream(path(name), std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    std::ofstream(path(name), std::ios::binary)
+        .write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
     return path(name);
   }
   std::string bytes(const std::string& name) const {

@@ -18,7 +18,8 @@ inline const std::string kTwoSquares =
     "0 0 1\n1 0 1\n1 1 1\n0 1 1\n"
     "0 1 1 0\n1 2 1 0\n2 3 1 0\n3 0 1 0\n";
 
-/// A square with a square hole and an island in it, and an empty plane. Line 4 is plane 0, 18 to 20 its components.
+/// A square with a square hole and an island in it, and an empty plane. Line 4 is plane 0, 18 to 20 its
+/// components.
 inline const std::string kSquareWithHole =
     "CSLC\n"
     "2 2\n"

@@ -51,7 +51,8 @@ bool same_bits(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
   return true;
 }
 
-const Surface kTetrahedron{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0.1}}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}};
+const Surface kTetrahedron{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0.1}},
+                           {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}};
 
 }  // namespace
 
@@ -116,14 +117,16 @@ TEST_CASE("a .vtu that is damaged or cut off is an error") {
   const Scratch scratch;
   REQUIRE(write_solid(scratch.path("a.vtu"), random_solid()).ok());
   const std::string good = scratch.bytes("a.vtu");
-  for (std::size_t size = 0; size < good.size() - 200; size += 97) CHECK_FALSE(parse_vtu(good.substr(0, size), "").ok());
+  for (std::size_t size = 0; size < good.size() - 200; size += 97)
+    CHECK_FALSE(parse_vtu(good.substr(0, size), "").ok());
   std::mt19937 random(5);
   for (int round = 0; round < 2000; ++round) {
     std::string bytes = good;
     bytes[random() % (round % 2 == 0 ? 1000 : bytes.size())] = static_cast<char>(random() % 256);
     const Result<Solid> read = parse_vtu(bytes, "");
     if (!read.ok()) continue;
-    for (const auto& tet : read->tets) CHECK(std::max({tet[0], tet[1], tet[2], tet[3]}) < read->points.size());
+    for (const auto& tet : read->tets)
+      CHECK(std::max({tet[0], tet[1], tet[2], tet[3]}) < read->points.size());
   }
 }
 
@@ -135,7 +138,8 @@ TEST_CASE("what can't be written leaves no file") {
   Surface dangling = kTetrahedron;
   dangling.triangles.push_back({0, 1, 4});
   CHECK(write_surface(scratch.path("a.ply"), dangling).error().code == ErrorCode::index_out_of_range);
-  CHECK(write_solid(scratch.path("a.mesh"), {{{0, 0, 0}}, {{0, 0, 0, 1}}}).error().code == ErrorCode::index_out_of_range);
+  CHECK(write_solid(scratch.path("a.mesh"), {{{0, 0, 0}}, {{0, 0, 0, 1}}}).error().code ==
+        ErrorCode::index_out_of_range);
   CHECK(write_surface(scratch.path("no/a.ply"), kTetrahedron).error().code == ErrorCode::file_not_writable);
   CHECK(scratch.files() == 0);
 }

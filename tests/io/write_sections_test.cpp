@@ -80,7 +80,8 @@ TEST_CASE("random doubles keep all their bits in both formats") {
   const auto real = [&] { return std::ldexp(mantissa(random), exponent(random)); };
   for (int round = 0; round < 300; ++round) {
     Sections sections;
-    sections.planes.push_back(section({{real(), real(), 0}, {real(), real(), 0}, {real(), real(), 0}}, {{0, 1, 2}}));
+    sections.planes.push_back(
+        section({{real(), real(), 0}, {real(), real(), 0}, {real(), real(), 0}}, {{0, 1, 2}}));
     const Result<Sections> contour = parse_contour(format_contour(sections), "");
     REQUIRE(contour.ok());
     check_same(sections, *contour);
@@ -95,7 +96,8 @@ TEST_CASE("loops: nesting gives holes their parents") {
   for (const double half : {4.0, 3.0, 2.0, 1.0}) {
     for (const Vec3& corner : square(0, 0, half)) vertices.push_back(corner);
   }
-  const auto loops = section_loops(section(vertices, {{12, 13, 14, 15}, {0, 1, 2, 3}, {8, 9, 10, 11}, {4, 5, 6, 7}}));
+  const auto loops =
+      section_loops(section(vertices, {{12, 13, 14, 15}, {0, 1, 2, 3}, {8, 9, 10, 11}, {4, 5, 6, 7}}));
   REQUIRE(loops.ok());
   REQUIRE(loops->size() == 4);
   CHECK(loops.value()[0].parent == 2);
@@ -138,7 +140,8 @@ TEST_CASE("loops: a hole that touches the outer contour in a vertex stays a hole
 
 TEST_CASE("loops: inner borders of materials and pairs of equal edges are no walls") {
   // Two squares of materials 1 and 2 side by side; the border between them is given once with both materials.
-  PlaneSection plane = section({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2, 3, 4, 5}});
+  PlaneSection plane =
+      section({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2, 3, 4, 5}});
   plane.edges[1].material_a = plane.edges[2].material_a = plane.edges[3].material_a = 2;
   PlaneSection border = plane, doubled = plane;
   border.edges.push_back({1, 4, 1, 2, 0, 0});

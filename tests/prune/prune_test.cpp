@@ -81,3 +81,52 @@ TEST_CASE("joint keeps what two-plane tetrahedra alone would keep") {
     CHECK(prune(cell).r3 >= prune(cell, PruneMode::paper).r2);
   }
 }
+
+TEST_CASE("two triangles are joined by the prism between them") {
+  const CellComplex cell =
+      make_cell({{0, 1, 2, 3}, {1, 2, 3, 4}, {2, 3, 4, 5}}, {1, 1, 1, 2, 2, 2}, {{0, 1, 2}, {3, 4, 5}});
+  for (const PruneMode mode : kModes) {
+    const PruneResult result = prune(cell, mode);
+    CHECK(result.r1 == 3);
+    CHECK(result.r2 == 3);
+    CHECK(result.r3 == 3);
+  }
+}
+
+TEST_CASE(
+    "a tetrahedron between two edges falls with the ground of one, and the vertex cone on the other with "
+    "it") {
+  // As above, but the upper triangle 3 4 5 is outside and 3-4 borders on an internal triangle 3 4 6 below it.
+  const std::vector<Tet> tets{{0, 1, 2, 3}, {1, 2, 3, 4}, {2, 3, 4, 5}, {1, 3, 4, 6}};
+  const std::vector<std::uint64_t> masks{1, 1, 1, 2, 2, 2, 2};
+  const PruneResult whole = prune(make_cell(tets, masks, {{0, 1, 2}, {3, 4, 5}, {3, 4, 6}}));
+  CHECK(whole.r3 == 4);
+  const PruneResult half = prune(make_cell(tets, masks, {{0, 1, 2}, {3, 4, 6}}));
+  CHECK(half.kept == std::vector<std::uint8_t>{1, 1, 0, 1});  // the other side of 3-4 still has ground
+  const PruneResult none = prune(make_cell({tets[0], tets[1], tets[2]}, masks, {{0, 1, 2}}));
+  CHECK(none.r3 == 0);
+}
+
+TEST_CASE("two sections that would meet in a point only stay apart") {
+  // The cones from 3 over the triangles 0 1 2 and 4 5 6 of face 0: at 3, on face 1, they touch in the vertex,
+  // and nothing of face 1 is there to join them.
+  const CellComplex cell =
+      make_cell({{0, 1, 2, 3}, {4, 5, 6, 3}}, {1, 1, 1, 2, 1, 1, 1}, {{0, 1, 2}, {4, 5, 6}});
+  const PruneResult result = prune(cell);
+  CHECK(result.r1 == 2);
+  CHECK(result.r3 == 0);
+}
+
+TEST_CASE("two grounded edges alone make no solid, though they conform") {
+  CellComplex cell = make_cell({{0, 1, 2, 3}}, {1, 1, 2, 2}, {});
+  for (const unsigned e : {0U, 5U}) cell.edges[0][e] = EdgeKind::contour;
+  for (const PruneMode mode : kModes) {
+    CHECK(prune(cell, mode).r1 == 1);
+    CHECK(prune(cell, mode).r3 == 0);
+  }
+}
+
+TEST_CASE("an empty cell") {
+  CHECK(prune(CellComplex{}).kept.empty());
+  CHECK(verify(CellComplex{}, prune(CellComplex{})));
+}
