@@ -30,7 +30,7 @@ struct Arguments {
 /// How examples/demo.contour came to be.
 ExitCode make_input(const std::string& path) {
   Terminal terminal;
-  const Surface solid = demo_solid();
+  const Surface solid = demo_solid(44);
   auto planes = demo_planes(bounds_of(solid.points));
   const auto sections = slice(solid, planes);
   if (!sections) return terminal.fail(sections.error());

@@ -7,6 +7,8 @@
 #include "../reconstruct/reconstruct.h"
 #include "arguments.h"
 #include "commands.h"
+#include "picture/picture.h"
+#include "picture/png_file.h"
 #include "report_json.h"
 #include "summary.h"
 #include "terminal.h"
@@ -15,7 +17,7 @@ namespace crossloft::cli {
 namespace {
 
 struct Arguments {
-  std::string input, surface, solid, report, sections;
+  std::string input, surface, solid, report, sections, picture;
   std::string mode = "joint";
   Options options;
   unsigned threads = 0;
@@ -35,6 +37,9 @@ Result<Done> write_results(const Arguments& arguments, const Reconstruction& res
   }
   if (written && !arguments.report.empty()) {
     written = write_file(arguments.report, report_json(result.report, {arguments.input, arguments.options}));
+  }
+  if (written && !arguments.picture.empty()) {
+    written = write_png(arguments.picture, draw_picture(result.sections, result.surface));
   }
   return written;
 }
@@ -72,6 +77,7 @@ void add_reconstruct(CLI::App& program, ExitCode& outcome) {
                       "a vertex further from its plane is an error; a fraction of the diagonal")->capture_default_str()
       ->check(CLI::Range(0.0, 1.0));
   command->add_option("--report", a.report, "also a report (docs/report.md)")->check(extension_in({".json"}));
+  command->add_option("--picture", a.picture, "also a picture of sections and surface")->check(extension_in({".png"}));
   command->add_option("--dump-sections", a.sections, "also the sections as the solid meets them")
       ->check(is_sections_file());
   command->add_option("--threads", a.threads, "worker threads, 0: one per core; the result is the same")->capture_default_str()

@@ -8,6 +8,7 @@ namespace {
 
 constexpr Rgb kClay{0.62f, 0.56f, 0.50f};
 constexpr float kShadow = 0.8f;  // how much of the light a shadow takes
+constexpr double kShadowReach = 2;  // radii of the scene over which it fades out
 constexpr double kLine = 0.85;  // half the width of a contour, in pixels
 
 /// Colours of equal brightness around the colour circle, neighbours far apart.
@@ -37,6 +38,22 @@ Scene scene_of(const Sections& sections, const Surface& surface) {
   }
   if (box.empty()) box.add(Vec3{});
   return {sections, surface, box.center(), std::max(0.5 * box.diagonal(), 1e-300), box.low.z};
+}
+
+/// Makes all of the scene fill one half of the canvas but for a margin, around the height of the middle.
+void fit(View& view, const Scene& scene, const Canvas& canvas) {
+  Bounds seen;
+  const auto add = [&](const Vec3& p) { seen.add({dot(p, view.right), dot(p, view.up), dot(p, view.toward)}); };
+  for (const Vec3& p : scene.surface.points) add(p);
+  for (const PlaneSection& plane : scene.sections.planes) {
+    for (const Vec3& p : plane.vertices) add(p);
+  }
+  if (seen.empty()) add(scene.center);
+  const Vec3 middle = seen.center(), size = seen.high - seen.low;
+  view.center = middle.x * view.right + middle.y * view.up + middle.z * view.toward;
+  view.scale = 0.9 * std::min(canvas.height() / std::max(size.y, 1e-3 * scene.radius),
+                              canvas.width() / 2 / std::max(size.x, 1e-3 * scene.radius));
+  view.y = 0.5 * canvas.height();
 }
 
 void paint_background(Canvas& canvas) {
@@ -81,8 +98,11 @@ void paint_shadow(Canvas& canvas, const View& view, const Scene& scene, const Li
     for (int x = first_x; x < canvas.width(); ++x) {
       if (!canvas.empty(x, y)) continue;
       const Rgb open = lighting.at(far_away, up, share_of(x, y));
-      const Rgb lit = lighting.at(ground_point(view, scene, x, y), up, share_of(x, y));
-      canvas.shade(x, y, 1 - kShadow * (1 - lit.g / open.g));
+      const Vec3 ground = ground_point(view, scene, x, y);
+      const Rgb lit = lighting.at(ground, up, share_of(x, y));
+      const double away = norm(ground - scene.center) / (kShadowReach * scene.radius);
+      const float taken = kShadow * static_cast<float>(std::max(0.0, 1 - away * away));
+      canvas.shade(x, y, 1 - taken * (1 - lit.g / open.g));
     }
   }
 }
@@ -141,7 +161,7 @@ void paint_section(Canvas& canvas, const View& view, const PlaneSection& plane, 
       const int last = std::min(canvas.width() - 1, static_cast<int>(std::ceil(x1 - 0.5)) - 1);
       for (int x = std::max(0, static_cast<int>(std::ceil(x0 - 0.5))); x <= last; ++x) {
         const double depth = depth0 + (x + 0.5 - x0) / (x1 - x0) * (depth1 - depth0);
-        canvas.translucent(x, y, depth, shade * colour, 0.42f);
+        canvas.translucent(x, y, depth, shade * colour, 0.38f);
       }
     }
   }
@@ -155,9 +175,7 @@ Image draw_picture(const Sections& sections, const Surface& surface, const Pictu
   Canvas canvas(options.width, options.height);
   paint_background(canvas);
   View view = view_from(options.from);
-  view.center = scene.center;
-  view.scale = 0.5 * std::min(canvas.height(), canvas.width() / 2) / scene.radius;
-  view.y = 0.5 * canvas.height();
+  fit(view, scene, canvas);
   view.x = 0.25 * canvas.width();
   for (std::size_t k = 0; k < sections.planes.size(); ++k) paint_section(canvas, view, sections.planes[k], hue(k));
   paint_contours(canvas, view, sections, 0.5);

@@ -8,7 +8,7 @@
 namespace crossloft::cli {
 
 struct PictureOptions {
-  int width = 1280, height = 720;    ///< pixels
+  int width = 1200, height = 675;    ///< pixels
   Vec3 from = {0.42, -0.90, 0.36};   ///< direction to the viewer, z is up
 };
 
