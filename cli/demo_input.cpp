@@ -7,7 +7,7 @@ namespace {
 
 /// The file in pieces, since compilers limit the length of a literal.
 constexpr std::string_view kPieces[] = {
-#include "demo_contour.inc"
+#include <demo_contour.inc>  // generated
 };
 
 }  // namespace
