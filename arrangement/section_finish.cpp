@@ -16,12 +16,13 @@ bool interior_to_face(const SectionGraph& graph, std::uint32_t v) {
   return planes == 1;
 }
 
-/// Removes vertices of the contours of one plane. A piece keeps the points it replaced, so that errors don't add up.
+/// Removes vertices of the contours of one plane that snapping has bent by a hair: one that dips to the inner side
+/// makes an external sliver with its neighbours where no other vertex is near, and with it go the tetrahedra on it.
+/// Exactly collinear vertices do no such harm and stay: they are the sampling of the contour. A piece keeps the points it replaced, so that errors don't add up.
 class RunMerger {
  public:
-  RunMerger(SectionGraph& graph, std::uint32_t plane) : graph_(graph), walls_(graph.walls[plane]) {
-    const LatticePlane& p = graph.planes[plane];
-    tolerance_ = kSteps * std::max(norm(direction(p.e1)), norm(direction(p.e2)));
+  RunMerger(SectionGraph& graph, std::uint32_t plane) : graph_(graph), plane_(graph.planes[plane]), walls_(graph.walls[plane]) {
+    tolerance_ = kSteps * std::max(norm(direction(plane_.e1)), norm(direction(plane_.e2)));
   }
   void run();
 
@@ -39,6 +40,7 @@ class RunMerger {
   bool try_remove(std::uint32_t v);
 
   SectionGraph& graph_;
+  LatticePlane plane_;
   std::vector<Wall>& walls_;
   double tolerance_ = 0;
   std::vector<std::vector<std::uint32_t>> around_;    ///< walls by vertex
@@ -58,6 +60,7 @@ bool RunMerger::try_remove(std::uint32_t v) {
   const std::uint32_t first = around_[v][0], second = around_[v][1];
   const std::uint32_t u = other_end(first, v), w = other_end(second, v);
   if (u == w) return false;
+  if (orient2d(plane_, graph_.points[u], graph_.points[w], graph_.points[v]) == 0) return false;
   std::vector<std::uint32_t> through = replaced_[first];
   through.insert(through.end(), replaced_[second].begin(), replaced_[second].end());
   through.push_back(v);

@@ -23,7 +23,7 @@ void match_crossings(SectionGraph& graph, const Arrangement& arrangement, Lattic
                      double tolerance);
 
 /// Drops vertices of degree 2 that lie in the interior of a face and within a few lattice steps of the segment that
-/// replaces them.
+/// replaces them, but not exactly on it.
 void merge_collinear_runs(SectionGraph& graph);
 
 /// Equal points become one vertex, walls that touch are cut there, doubled walls cancel, unused vertices go, and
