@@ -45,10 +45,11 @@ class Stars {
 /// Label of the far corner of a virtual triangle: never a vertex of the mesh.
 constexpr std::uint32_t kBehind = kNone;
 
-/// A side a < b of a link triangle, and its ends as corners 3 * triangle + 0..2: the facet (v, a, b) of a
+/// A side of a link triangle by its ends a < b as corners, 3 * triangle + 0..2: the facet (v, a, b) of a
 /// tetrahedron or, for b = kBehind, the grounded edge (v, a) of a virtual triangle.
 struct Side {
-  std::uint32_t a, b, triangle, corner_a, corner_b;
+  std::uint64_t ends;  ///< a in the upper half, b in the lower one
+  std::uint32_t corner_a, corner_b;
 };
 
 enum class LinkShape : std::uint8_t { disk, sphere, disconnected, pinched, annular };
@@ -56,20 +57,18 @@ enum class LinkShape : std::uint8_t { disk, sphere, disconnected, pinched, annul
 class ExtendedLink {
  public:
   ExtendedLink(const CellComplex& complex, std::span<const std::uint8_t> kept)
-      : complex_(complex), kept_(kept) {}
+      : complex_(complex), kept_(kept), seen_at_(complex.vertex_count, kNone) {}
 
   LinkShape shape(std::uint32_t v, std::span<const std::uint32_t> star) {
     collect(v, star);
     const auto triangle_count = static_cast<std::uint32_t>(triangles_.size());
-    std::sort(sides_.begin(), sides_.end(), [](const Side& p, const Side& q) {
-      return p.a != q.a ? p.a < q.a : p.b != q.b ? p.b < q.b : p.triangle < q.triangle;
-    });
+    std::sort(sides_.begin(), sides_.end(), [](const Side& p, const Side& q) { return p.ends < q.ends; });
     corners_.reset(std::size_t{3} * triangle_count);
     components_.reset(triangle_count);
     const std::uint32_t glued = glue_sides();
     if (components_.count() > 1) return LinkShape::disconnected;
     const std::uint32_t corner_count = corners_.count();
-    if (corner_count > label_count()) return LinkShape::pinched;
+    if (corner_count > label_count(v)) return LinkShape::pinched;
     const int chi =
         static_cast<int>(corner_count + triangle_count) - static_cast<int>(3 * triangle_count - glued);
     return chi == 2 ? LinkShape::sphere : chi == 1 ? LinkShape::disk : LinkShape::annular;
@@ -104,12 +103,11 @@ class ExtendedLink {
     const std::array<std::uint32_t, 3> labels{a, b, c};
     triangles_.push_back(labels);
     for (std::uint32_t i = 0; i < 3; ++i) {
-      Side side{labels[i], labels[(i + 1) % 3], triangle, 3 * triangle + i, 3 * triangle + (i + 1) % 3};
-      if (side.a > side.b) {
-        std::swap(side.a, side.b);
-        std::swap(side.corner_a, side.corner_b);
-      }
-      sides_.push_back(side);
+      const std::uint32_t k = (i + 1) % 3;
+      const std::uint32_t low = labels[i] < labels[k] ? i : k;
+      const std::uint32_t high = i + k - low;
+      sides_.push_back(
+          {std::uint64_t{labels[low]} << 32 | labels[high], 3 * triangle + low, 3 * triangle + high});
     }
   }
 
@@ -121,8 +119,8 @@ class ExtendedLink {
     for (std::size_t i = 0; i + 1 < sides_.size(); ++i) {
       const Side& p = sides_[i];
       const Side& q = sides_[i + 1];
-      if (p.a != q.a || p.b != q.b) continue;
-      components_.join(p.triangle, q.triangle);
+      if (p.ends != q.ends) continue;
+      components_.join(p.corner_a / 3, q.corner_a / 3);
       corners_.join(p.corner_a, q.corner_a);
       corners_.join(p.corner_b, q.corner_b);
       ++glued;
@@ -133,23 +131,25 @@ class ExtendedLink {
 
   /// Different vertices of the link. The section side counts once for each of its fans around v: two wedges
   /// of a section that touch in v only are the section's own affair.
-  std::uint32_t label_count() {
-    labels_.clear();
-    for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
-      for (std::uint32_t i = 0; i < 3; ++i) {
-        const std::uint32_t label = triangles_[t][i];
-        labels_.push_back({label, label == kBehind ? corners_.find(3 * t + i) : 0});
+  std::uint32_t label_count(std::uint32_t v) {
+    std::uint32_t count = 0;
+    for (std::uint32_t c = 0; c < 3 * triangles_.size(); ++c) {
+      const std::uint32_t label = triangles_[c / 3][c % 3];
+      if (label == kBehind) {
+        count += corners_.is_root(c) ? 1U : 0U;
+      } else if (seen_at_[label] != v) {
+        seen_at_[label] = v;
+        ++count;
       }
     }
-    std::sort(labels_.begin(), labels_.end());
-    return static_cast<std::uint32_t>(std::unique(labels_.begin(), labels_.end()) - labels_.begin());
+    return count;
   }
 
   const CellComplex& complex_;
   std::span<const std::uint8_t> kept_;
   std::vector<std::array<std::uint32_t, 3>> triangles_;
   std::vector<Side> sides_;
-  std::vector<std::array<std::uint32_t, 2>> labels_;
+  std::vector<std::uint32_t> seen_at_;  ///< by vertex: the vertex in whose link it was counted last
   DisjointSets components_, corners_;
 };
 
