@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 #include <tuple>
+#include <utility>
 
 #include "normalise.h"
 
@@ -126,6 +127,51 @@ bool any_at(const Projected& section, Place place, const std::vector<LatticePoin
   return std::any_of(points.begin(), points.end(), [&](const auto& p) { return section.locate(p) == place; });
 }
 
+std::tuple<double, double, double> key(const LatticePoint& p) { return {p.x, p.y, p.z}; }
+
+void renumber(std::vector<WallEdge>& walls, const std::vector<std::uint32_t>& index) {
+  for (WallEdge& w : walls) {
+    const std::uint32_t a = index[w.a], b = index[w.b];
+    w.a = std::min(a, b), w.b = std::max(a, b);
+  }
+}
+
+/// Lexicographic order; of equal points the first input.
+void merge_equal_vertices(LatticeSection& s) {
+  std::vector<std::uint32_t> order(s.vertices.size()), index(s.vertices.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::sort(order.begin(), order.end(), [&](std::uint32_t v, std::uint32_t w) {
+    return std::pair(key(s.vertices[v]), s.input[v]) < std::pair(key(s.vertices[w]), s.input[w]);
+  });
+  std::vector<LatticePoint> vertices;
+  std::vector<Vec3> input;
+  for (const std::uint32_t v : order) {
+    if (vertices.empty() || key(vertices.back()) != key(s.vertices[v])) {
+      vertices.push_back(s.vertices[v]);
+      input.push_back(s.input[v]);
+    }
+    index[v] = static_cast<std::uint32_t>(vertices.size() - 1);
+  }
+  renumber(s.walls, index);
+  s.vertices = std::move(vertices);
+  s.input = std::move(input);
+}
+
+void drop_isolated(LatticeSection& s) {
+  std::vector<std::uint32_t> index(s.vertices.size(), kNone);
+  for (const WallEdge& w : s.walls) index[w.a] = index[w.b] = 0;
+  std::uint32_t kept = 0;
+  for (std::size_t v = 0; v < index.size(); ++v) {
+    if (index[v] == kNone) continue;
+    s.vertices[kept] = s.vertices[v];
+    s.input[kept] = s.input[v];
+    index[v] = kept++;
+  }
+  s.vertices.resize(kept);
+  s.input.resize(kept);
+  renumber(s.walls, index);
+}
+
 }  // namespace
 
 SectionRelation relation(const LatticePlane& plane, const LatticeSection& a, const LatticeSection& b,
@@ -146,38 +192,9 @@ SectionRelation relation(const LatticePlane& plane, const LatticeSection& a, con
 }
 
 void tidy(LatticeSection& s) {
-  std::vector<bool> used(s.vertices.size());
-  const auto key = [&](std::uint32_t v) {
-    const LatticePoint& p = s.vertices[v];
-    return std::tuple(p.x, p.y, p.z);
-  };
-  // New numbers in lexicographic order, equal points one number; then once more without the unused.
-  const auto renumber = [&](bool all) {
-    std::vector<std::uint32_t> order;
-    for (std::uint32_t v = 0; v < s.vertices.size(); ++v)
-      if (all || used[v]) order.push_back(v);
-    std::sort(order.begin(), order.end(), [&](std::uint32_t v, std::uint32_t w) {
-      return std::tuple(key(v), s.input[v]) < std::tuple(key(w), s.input[w]);
-    });
-    LatticeSection next;
-    std::vector<std::uint32_t> index(s.vertices.size());
-    for (std::size_t i = 0; i < order.size(); ++i) {
-      if (i == 0 || key(order[i]) != key(order[i - 1])) {
-        next.vertices.push_back(s.vertices[order[i]]);
-        next.input.push_back(s.input[order[i]]);
-      }
-      index[order[i]] = static_cast<std::uint32_t>(next.vertices.size() - 1);
-    }
-    for (const WallEdge& w : s.walls)
-      next.walls.push_back(
-          {std::min(index[w.a], index[w.b]), std::max(index[w.a], index[w.b]), w.plane, w.contour, w.line});
-    s = std::move(next);
-  };
-  renumber(true);
+  merge_equal_vertices(s);
   cancel_pairs(s.walls);
-  used.assign(s.vertices.size(), false);
-  for (const WallEdge& w : s.walls) used[w.a] = used[w.b] = true;
-  renumber(false);
+  drop_isolated(s);
 }
 
 }  // namespace crossloft
