@@ -24,8 +24,8 @@ inline const CLI::Validator& is_solid_file() {
   return validator;
 }
 
-/// A subcommand with its arguments' storage and an example that --help shows below the options. `run` is called
-/// with the parsed arguments after parsing succeeded.
+/// A subcommand with its arguments' storage and an example that --help shows below the options. `run` is
+/// called with the parsed arguments after parsing succeeded.
 template <class Arguments, class Run>
 std::pair<CLI::App*, Arguments&> add_command(CLI::App& program, const char* name, const char* what,
                                              const char* example, Run run) {

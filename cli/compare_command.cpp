@@ -16,7 +16,8 @@ struct Arguments {
 
 void print_comparison(Terminal& terminal, const CompareReport& r) {
   terminal.print("                 A               B\n");
-  terminal.print("volume           %-15.9g %-15.9g B / A = %.6g\n", r.volume_a, r.volume_b, r.volume_b / r.volume_a);
+  terminal.print("volume           %-15.9g %-15.9g B / A = %.6g\n", r.volume_a, r.volume_b,
+                 r.volume_b / r.volume_a);
   terminal.print("components       %-15u %-15u\n", r.components_a, r.components_b);
   terminal.print("genus            %-15lld %-15lld\n", static_cast<long long>(r.genus_a),
                  static_cast<long long>(r.genus_b));
@@ -53,7 +54,8 @@ ExitCode run(const Arguments& arguments) {
 void add_compare(CLI::App& program, ExitCode& outcome) {
   auto [command, a] = add_command<Arguments>(
       program, "compare", "How alike two closed surfaces are: volume, overlap, distance, topology.",
-      "crossloft compare truth.stl bear.ply", [&outcome](const Arguments& arguments) { outcome = run(arguments); });
+      "crossloft compare truth.stl bear.ply",
+      [&outcome](const Arguments& arguments) { outcome = run(arguments); });
   command->add_option("A", a.a, "a surface")->required()->check(is_surface_file());
   command->add_option("B", a.b, "another")->required()->check(is_surface_file());
 }

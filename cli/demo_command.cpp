@@ -62,8 +62,8 @@ ExitCode run(const Arguments& arguments) {
   if (!written) return terminal.fail(written.error());
   print_summary(terminal, result->report);
   const std::string folder = std::filesystem::absolute(arguments.folder).lexically_normal().string();
-  terminal.print("result       %s/surface.ply (solid.vtu, report.json)\npicture      %s/picture.png\n", folder.c_str(),
-                 folder.c_str());
+  terminal.print("result       %s/surface.ply (solid.vtu, report.json)\npicture      %s/picture.png\n",
+                 folder.c_str(), folder.c_str());
   return kGood;
 }
 
@@ -71,10 +71,13 @@ ExitCode run(const Arguments& arguments) {
 
 void add_demo(CLI::App& program, ExitCode& outcome) {
   auto [command, a] = add_command<Arguments>(
-      program, "demo", "Reconstructs the sections that come with the program: surface, solid, report and a picture.",
+      program, "demo",
+      "Reconstructs the sections that come with the program: surface, solid, report and a picture.",
       "crossloft demo -o demo-output", [&outcome](const Arguments& arguments) { outcome = run(arguments); });
-  command->add_option("-o,--output", a.folder, "folder for the results, made if missing")->capture_default_str();
-  command->add_option("--make-input", a.make_input, "only write the demo's sections, cut from the demo's solid")
+  command->add_option("-o,--output", a.folder, "folder for the results, made if missing")
+      ->capture_default_str();
+  command
+      ->add_option("--make-input", a.make_input, "only write the demo's sections, cut from the demo's solid")
       ->check(is_sections_file());
 }
 

@@ -16,10 +16,14 @@ enum ExitCode : int {
 
 constexpr ExitCode exit_code(ErrorCode code) {
   switch (code) {
-    case ErrorCode::usage: return kUsage;
-    case ErrorCode::cancelled: return kInterrupted;
-    case ErrorCode::internal: return kInternal;
-    default: return kBadFile;
+    case ErrorCode::usage:
+      return kUsage;
+    case ErrorCode::cancelled:
+      return kInterrupted;
+    case ErrorCode::internal:
+      return kInternal;
+    default:
+      return kBadFile;
   }
 }
 

@@ -16,12 +16,12 @@ struct Arguments {
 };
 
 void print_contents(Terminal& terminal, const SectionsInfo& info) {
-  terminal.print("planes       %zu in %u directions, %u with a section\n", info.planes.size(), info.directions,
-                 info.sections);
+  terminal.print("planes       %zu in %u directions, %u with a section\n", info.planes.size(),
+                 info.directions, info.sections);
   terminal.print("contours     %u, %u of them holes\n", info.contours, info.holes);
   terminal.print("vertices     %u on %u edges\n", info.vertices, info.edges);
-  terminal.print("extents      [%.9g, %.9g] x [%.9g, %.9g] x [%.9g, %.9g]\n", info.low.x, info.high.x, info.low.y,
-                 info.high.y, info.low.z, info.high.z);
+  terminal.print("extents      [%.9g, %.9g] x [%.9g, %.9g] x [%.9g, %.9g]\n", info.low.x, info.high.x,
+                 info.low.y, info.high.y, info.low.z, info.high.z);
   terminal.print("diagonal     %.9g\n", info.diagonal);
   terminal.print("coincidences %u lines of three or more planes, %u points of four or more\n", info.pencils,
                  info.common_points);
@@ -30,7 +30,8 @@ void print_contents(Terminal& terminal, const SectionsInfo& info) {
 /// "1.2e-05 (3.4e-06 of the diagonal)"
 std::string length_text(double length, double diagonal) {
   char text[80];
-  std::snprintf(text, sizeof text, "%.3g (%.3g of the diagonal)", length, diagonal > 0 ? length / diagonal : 0);
+  std::snprintf(text, sizeof text, "%.3g (%.3g of the diagonal)", length,
+                diagonal > 0 ? length / diagonal : 0);
   return text;
 }
 
@@ -48,8 +49,8 @@ void print_agreement(Terminal& terminal, const SectionsInfo& info) {
 void print_planes(Terminal& terminal, const SectionsInfo& info) {
   terminal.print("\nplane  contours  holes  vertices  off plane  normal and offset\n");
   for (const PlaneInfo& p : info.planes) {
-    terminal.print("%5u  %8u  %5u  %8u  %9.3g  %.6g %.6g %.6g  %.6g%s\n", p.plane, p.contours, p.holes, p.vertices,
-                   p.off_plane, p.normal.x, p.normal.y, p.normal.z, p.offset,
+    terminal.print("%5u  %8u  %5u  %8u  %9.3g  %.6g %.6g %.6g  %.6g%s\n", p.plane, p.contours, p.holes,
+                   p.vertices, p.off_plane, p.normal.x, p.normal.y, p.normal.z, p.offset,
                    p.crossing_edges > 0 ? "  edges cross" : "");
   }
 }
@@ -76,9 +77,11 @@ void add_info(CLI::App& program, ExitCode& outcome) {
       program, "info", "What a file of cross-sections holds, and how well its planes agree.",
       "crossloft info bear.contour", [&outcome](const Arguments& arguments) { outcome = run(arguments); });
   command->add_option("FILE", a.input, "cross-sections")->required()->check(is_sections_file());
-  command->add_option("--plane-tolerance", a.plane_tolerance,
-                      "a vertex further from its plane is an error; a fraction of the diagonal")
-      ->capture_default_str()->check(CLI::Range(0.0, 1.0));
+  command
+      ->add_option("--plane-tolerance", a.plane_tolerance,
+                   "a vertex further from its plane is an error; a fraction of the diagonal")
+      ->capture_default_str()
+      ->check(CLI::Range(0.0, 1.0));
 }
 
 }  // namespace crossloft::cli

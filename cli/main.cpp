@@ -24,7 +24,8 @@ ExitCode report_parse_error(const CLI::App& program, const CLI::ParseError& erro
 }
 
 ExitCode run(int argc, char** argv) {
-  CLI::App program{"Reconstructs watertight solids from planar cross-sections on planes in any position.", "crossloft"};
+  CLI::App program{"Reconstructs watertight solids from planar cross-sections on planes in any position.",
+                   "crossloft"};
   program.set_version_flag("--version", "crossloft " CROSSLOFT_VERSION);
   program.require_subcommand(1);
   program.footer(kExitCodes);

@@ -9,8 +9,8 @@
 
 namespace crossloft::cli {
 
-/// Blank lines and what follows a '#' are skipped. Errors: file_not_readable, syntax, not_finite, zero_normal,
-/// no_plane, with the line.
+/// Blank lines and what follows a '#' are skipped. Errors: file_not_readable, syntax, not_finite,
+/// zero_normal, no_plane, with the line.
 Result<std::vector<CuttingPlane>> read_planes(const std::string& path);
 
 }  // namespace crossloft::cli

@@ -25,7 +25,9 @@ struct Arguments {
 };
 
 PruneMode mode_named(const std::string& name) {
-  return name == "paper" ? PruneMode::paper : name == "paper-literal" ? PruneMode::paper_literal : PruneMode::joint;
+  return name == "paper"           ? PruneMode::paper
+         : name == "paper-literal" ? PruneMode::paper_literal
+                                   : PruneMode::joint;
 }
 
 /// The files that were asked for, one after the other; each appears whole or not at all.
@@ -68,19 +70,27 @@ void add_reconstruct(CLI::App& program, ExitCode& outcome) {
   command->add_option("FILE", a.input, "cross-sections")->required()->check(is_sections_file());
   command->add_option("-o,--output", a.surface, "the surface")->required()->check(is_surface_file());
   command->add_option("--solid", a.solid, "also the tetrahedra")->check(is_solid_file());
-  command->add_option("--mode", a.mode, "pruning: joint keeps most, paper as Boissonnat and Memari")->capture_default_str()
+  command->add_option("--mode", a.mode, "pruning: joint keeps most, paper as Boissonnat and Memari")
+      ->capture_default_str()
       ->check(CLI::IsMember({"joint", "paper", "paper-literal"}));
-  command->add_option("--match-tolerance", a.options.match_tolerance,
-                      "crossings of two sections on their common line this near are one; a fraction of the diagonal")
-      ->capture_default_str()->check(CLI::Range(0.0, 1.0));
-  command->add_option("--plane-tolerance", a.options.plane_tolerance,
-                      "a vertex further from its plane is an error; a fraction of the diagonal")->capture_default_str()
+  command
+      ->add_option(
+          "--match-tolerance", a.options.match_tolerance,
+          "crossings of two sections on their common line this near are one; a fraction of the diagonal")
+      ->capture_default_str()
+      ->check(CLI::Range(0.0, 1.0));
+  command
+      ->add_option("--plane-tolerance", a.options.plane_tolerance,
+                   "a vertex further from its plane is an error; a fraction of the diagonal")
+      ->capture_default_str()
       ->check(CLI::Range(0.0, 1.0));
   command->add_option("--report", a.report, "also a report (docs/report.md)")->check(extension_in({".json"}));
-  command->add_option("--picture", a.picture, "also a picture of sections and surface")->check(extension_in({".png"}));
+  command->add_option("--picture", a.picture, "also a picture of sections and surface")
+      ->check(extension_in({".png"}));
   command->add_option("--dump-sections", a.sections, "also the sections as the solid meets them")
       ->check(is_sections_file());
-  command->add_option("--threads", a.threads, "worker threads, 0: one per core; the result is the same")->capture_default_str()
+  command->add_option("--threads", a.threads, "worker threads, 0: one per core; the result is the same")
+      ->capture_default_str()
       ->check(CLI::Range(0, 1024));
   command->add_flag("--quiet", a.quiet, "no summary, no notes, no progress bar");
 }

@@ -8,18 +8,21 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json to_json(const StageSeconds& s) {
-  return {{"input", s.input}, {"arrangement", s.arrangement}, {"crossings", s.crossings}, {"faces", s.faces},
-          {"delaunay", s.delaunay}, {"pruning", s.pruning}, {"gluing", s.gluing}, {"total", s.total}};
+  return {{"input", s.input},         {"arrangement", s.arrangement},
+          {"crossings", s.crossings}, {"faces", s.faces},
+          {"delaunay", s.delaunay},   {"pruning", s.pruning},
+          {"gluing", s.gluing},       {"total", s.total}};
 }
 
 Json to_json(const PlaneReport& p) {
-  return {{"plane", p.plane}, {"vertices", p.vertices}, {"edges", p.edges}, {"area", p.area},
-          {"flat_area", p.flat_area}, {"displacement", p.displacement}, {"off_plane", p.off_plane}};
+  return {{"plane", p.plane},        {"vertices", p.vertices},   {"edges", p.edges},
+          {"area", p.area},          {"flat_area", p.flat_area}, {"displacement", p.displacement},
+          {"off_plane", p.off_plane}};
 }
 
 Json to_json(const CellReport& c) {
-  return {{"faces", c.faces}, {"vertices", c.vertices}, {"tets_r0", c.tets_r0}, {"tets_r1", c.tets_r1},
-          {"tets_r2", c.tets_r2}, {"tets_r3", c.tets_r3}, {"bad_links", c.bad_links}};
+  return {{"faces", c.faces},     {"vertices", c.vertices}, {"tets_r0", c.tets_r0},    {"tets_r1", c.tets_r1},
+          {"tets_r2", c.tets_r2}, {"tets_r3", c.tets_r3},   {"bad_links", c.bad_links}};
 }
 
 Json to_json(const UnmatchedCrossing& u) {
@@ -34,7 +37,8 @@ Json to_json(const std::vector<T>& items) {
 }
 
 Json to_json(const Options& o) {
-  return {{"match_tolerance", o.match_tolerance}, {"plane_tolerance", o.plane_tolerance},
+  return {{"match_tolerance", o.match_tolerance},
+          {"plane_tolerance", o.plane_tolerance},
           {"on_tolerance", o.on_tolerance}};
 }
 
@@ -58,7 +62,8 @@ Json lines_part(const Report& r) {
 }
 
 Json arrangement_part(const Report& r) {
-  return {{"cells", r.arrangement_cells}, {"faces", r.arrangement_faces}, {"vertices", r.arrangement_vertices}};
+  return {
+      {"cells", r.arrangement_cells}, {"faces", r.arrangement_faces}, {"vertices", r.arrangement_vertices}};
 }
 
 Json result_part(const Report& r) {

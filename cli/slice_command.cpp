@@ -68,13 +68,16 @@ void add_slice(CLI::App& program, ExitCode& outcome) {
   const CLI::Range count(1, 100000);
   planes->add_option("--parallel", a.parallel, "K planes at equal distances")->check(count);
   planes->add_option("--random", a.random, "K planes in random positions")->check(count);
-  planes->add_option("--rotational", a.rotational, "K planes around the axis --direction through the centre")->check(count);
+  planes->add_option("--rotational", a.rotational, "K planes around the axis --direction through the centre")
+      ->check(count);
   planes->add_option("--fan", a.fan, "K planes of a jittered sweep along x")->check(count);
   planes->add_option("--planes", a.planes, "a file with A B C D a line for A x + B y + C z + D = 0");
   planes->require_option(1);
   command->add_option("--seed", a.seed, "of the random planes and the sweep")->capture_default_str();
-  command->add_option("--direction", a.direction, "normal of the parallel planes or axis of rotation")->capture_default_str()
-      ->expected(3)->type_name("X Y Z");
+  command->add_option("--direction", a.direction, "normal of the parallel planes or axis of rotation")
+      ->capture_default_str()
+      ->expected(3)
+      ->type_name("X Y Z");
 }
 
 }  // namespace crossloft::cli

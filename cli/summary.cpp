@@ -7,7 +7,8 @@ void print_summary(Terminal& terminal, const Report& report) {
   for (const std::string& warning : report.warnings) terminal.say(LogLevel::warning, warning);
   terminal.print("planes       %zu, %u cells between them\n", report.planes.size(), report.arrangement_cells);
   terminal.print("solid        %u tetrahedra, volume %.6g\n", report.solid_tets, report.volume);
-  terminal.print("surface      %u triangles, %u vertices\n", report.surface_triangles, report.surface_vertices);
+  terminal.print("surface      %u triangles, %u vertices\n", report.surface_triangles,
+                 report.surface_vertices);
   terminal.print("crossings    %u on common lines of two planes, %zu unmatched\n", report.crossings,
                  report.unmatched.size());
   terminal.print("flat         %u regions, area %.6g of %.6g\n", report.flat_regions, report.flat_area,

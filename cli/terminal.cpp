@@ -73,7 +73,8 @@ void Terminal::show_progress(std::string_view stage, double fraction) {
   std::string bar(kBarWidth, '.');
   std::fill_n(bar.begin(), static_cast<int>(done * kBarWidth), '#');
   const std::string percent = std::to_string(static_cast<int>(100 * done));
-  std::string line = "[" + bar + "] " + std::string(4 - std::min<std::size_t>(4, percent.size()), ' ') + percent + " % ";
+  std::string line =
+      "[" + bar + "] " + std::string(4 - std::min<std::size_t>(4, percent.size()), ' ') + percent + " % ";
   line += stage;
   if (line == shown_) return;
   std::fprintf(stderr, "\r%s\033[K", line.c_str());

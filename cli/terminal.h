@@ -14,8 +14,8 @@ namespace crossloft::cli {
 /// Makes Ctrl-C and SIGTERM raise the cancel flag of every context made afterwards; a second one kills.
 void catch_interrupts();
 
-/// Results are printed by print(); notes, warnings, errors and the progress bar go to stderr. The bar is drawn
-/// only if stderr is a terminal. Quiet leaves warnings and errors alone.
+/// Results are printed by print(); notes, warnings, errors and the progress bar go to stderr. The bar is
+/// drawn only if stderr is a terminal. Quiet leaves warnings and errors alone.
 class Terminal {
  public:
   explicit Terminal(bool quiet = false);

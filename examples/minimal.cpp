@@ -5,7 +5,9 @@
 #include "io/write_mesh.h"
 #include "reconstruct/reconstruct.h"
 
-static int fail(const crossloft::Error& error) { return std::fprintf(stderr, "%s\n", to_string(error).c_str()), 1; }
+static int fail(const crossloft::Error& error) {
+  return std::fprintf(stderr, "%s\n", to_string(error).c_str()), 1;
+}
 
 int main(int argc, char** argv) {
   if (argc != 3) return 2;

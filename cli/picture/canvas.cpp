@@ -41,11 +41,13 @@ void Canvas::blend_row(int y) {
 
 Image Canvas::develop() {
   for (int y = 0; y < height_; ++y) blend_row(y);
-  Image image{static_cast<std::uint32_t>(width_ / kSamples), static_cast<std::uint32_t>(height_ / kSamples), {}};
+  Image image{
+      static_cast<std::uint32_t>(width_ / kSamples), static_cast<std::uint32_t>(height_ / kSamples), {}};
   for (int y = 0; y < height_; y += kSamples) {
     for (int x = 0; x < width_; x += kSamples) {
       Rgb sum;
-      for (int k = 0; k < kSamples * kSamples; ++k) sum = sum + colour_[at(x + k % kSamples, y + k / kSamples)];
+      for (int k = 0; k < kSamples * kSamples; ++k)
+        sum = sum + colour_[at(x + k % kSamples, y + k / kSamples)];
       const Rgb mean = (1.0f / (kSamples * kSamples)) * sum;
       image.rgb.insert(image.rgb.end(), {srgb(mean.r), srgb(mean.g), srgb(mean.b)});
     }

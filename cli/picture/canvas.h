@@ -1,5 +1,6 @@
 #pragma once
-/// A canvas with depth: opaque samples by z-buffer, translucent ones sorted per sample, several samples a pixel.
+/// A canvas with depth: opaque samples by z-buffer, translucent ones sorted per sample, several samples a
+/// pixel.
 
 #include <algorithm>
 #include <cmath>
@@ -78,7 +79,9 @@ class Canvas {
     Rgb colour;
   };
 
-  std::size_t at(int x, int y) const { return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x); }
+  std::size_t at(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
+  }
   void blend_row(int y);
 
   static constexpr float kNowhere = -std::numeric_limits<float>::infinity();
@@ -89,8 +92,8 @@ class Canvas {
   std::vector<std::vector<Fragment>> fragments_;  ///< by row
 };
 
-/// Calls paint(x, y, wa, wb, wc) with barycentric weights for every sample in [0, width) x [0, height) whose centre
-/// is in the triangle, whatever its orientation. A triangle seen edge-on has none.
+/// Calls paint(x, y, wa, wb, wc) with barycentric weights for every sample in [0, width) x [0, height) whose
+/// centre is in the triangle, whatever its orientation. A triangle seen edge-on has none.
 template <class Paint>
 void scan_triangle(const Spot& a, const Spot& b, const Spot& c, int width, int height, Paint paint) {
   const double area = (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);

@@ -40,7 +40,8 @@ ShadowMap::ShadowMap(const Surface& surface, Vec3 toward_light, Vec3 center, dou
   view_.scale = 0.5 * kSize / radius;
   view_.x = view_.y = 0.5 * kSize;
   for (const auto& t : surface.triangles) {
-    const Spot a = view_(surface.points[t[0]]), b = view_(surface.points[t[1]]), c = view_(surface.points[t[2]]);
+    const Spot a = view_(surface.points[t[0]]), b = view_(surface.points[t[1]]),
+               c = view_(surface.points[t[2]]);
     scan_triangle(a, b, c, kSize, kSize, [&](int x, int y, double wa, double wb, double wc) {
       float& depth = depth_[static_cast<std::size_t>(y) * kSize + static_cast<std::size_t>(x)];
       depth = std::max(depth, static_cast<float>(wa * a.depth + wb * b.depth + wc * c.depth));
@@ -73,7 +74,8 @@ Rgb Lighting::at(const Vec3& point, const Vec3& normal, int share) const {
   Rgb sum;
   for (const ShadowMap& map : key_[static_cast<std::size_t>(share)]) {
     const double facing = dot(normal, map.toward_light());
-    if (facing > 0 && map.lights(lifted, slack_)) sum = sum + static_cast<float>(facing / kKeyLights) * kKeyColour;
+    if (facing > 0 && map.lights(lifted, slack_))
+      sum = sum + static_cast<float>(facing / kKeyLights) * kKeyColour;
   }
   for (const ShadowMap& map : sky_[static_cast<std::size_t>(share)]) {
     const double facing = dot(normal, map.toward_light());

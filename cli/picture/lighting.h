@@ -1,7 +1,7 @@
 #pragma once
-/// Soft light on a surface: many parallel lights, a shadow map each. Those around the key direction give a soft
-/// shadow, those spread over the sky ambient occlusion. Each sample of a pixel uses its own share of the lights,
-/// and their average sees them all.
+/// Soft light on a surface: many parallel lights, a shadow map each. Those around the key direction give a
+/// soft shadow, those spread over the sky ambient occlusion. Each sample of a pixel uses its own share of the
+/// lights, and their average sees them all.
 
 #include <array>
 #include <vector>
@@ -43,8 +43,9 @@ class Lighting {
   std::array<std::vector<ShadowMap>, kShares> key_, sky_;
 };
 
-/// A unit normal for each corner of each triangle: the mean of the normals around its vertex that are within 50
-/// degrees of the triangle's own, so that creases stay sharp. Vertices with equal coordinates count as one.
+/// A unit normal for each corner of each triangle: the mean of the normals around its vertex that are within
+/// 50 degrees of the triangle's own, so that creases stay sharp. Vertices with equal coordinates count as
+/// one.
 std::vector<std::array<Vec3, 3>> corner_normals(const Surface& surface);
 
 }  // namespace crossloft::cli

@@ -7,13 +7,14 @@ namespace crossloft::cli {
 namespace {
 
 constexpr Rgb kClay{0.62f, 0.56f, 0.50f};
-constexpr float kShadow = 0.8f;  // how much of the light a shadow takes
+constexpr float kShadow = 0.8f;     // how much of the light a shadow takes
 constexpr double kShadowReach = 2;  // radii of the scene over which it fades out
-constexpr double kLine = 0.85;  // half the width of a contour, in pixels
+constexpr double kLine = 0.85;      // half the width of a contour, in pixels
 
 /// Colours of equal brightness around the colour circle, neighbours far apart.
 Rgb hue(std::size_t k) {
-  const double h = 6 * (0.08 + 0.618034 * static_cast<double>(k) - std::floor(0.08 + 0.618034 * static_cast<double>(k)));
+  const double h =
+      6 * (0.08 + 0.618034 * static_cast<double>(k) - std::floor(0.08 + 0.618034 * static_cast<double>(k)));
   const auto channel = [h](double at) {
     const double away = std::abs(std::remainder(h - at, 6.0));
     return static_cast<float>(0.04 + 0.72 * std::clamp(2 - away, 0.0, 1.0));
@@ -43,7 +44,9 @@ Scene scene_of(const Sections& sections, const Surface& surface) {
 /// Makes all of the scene fill one half of the canvas but for a margin, around the height of the middle.
 void fit(View& view, const Scene& scene, const Canvas& canvas) {
   Bounds seen;
-  const auto add = [&](const Vec3& p) { seen.add({dot(p, view.right), dot(p, view.up), dot(p, view.toward)}); };
+  const auto add = [&](const Vec3& p) {
+    seen.add({dot(p, view.right), dot(p, view.up), dot(p, view.toward)});
+  };
   for (const Vec3& p : scene.surface.points) add(p);
   for (const PlaneSection& plane : scene.sections.planes) {
     for (const Vec3& p : plane.vertices) add(p);
@@ -70,17 +73,19 @@ void paint_surface(Canvas& canvas, const View& view, const Scene& scene, const L
   const auto normals = corner_normals(scene.surface);
   for (std::size_t t = 0; t < scene.surface.triangles.size(); ++t) {
     const auto& corner = scene.surface.triangles[t];
-    const Vec3 &p = scene.surface.points[corner[0]], &q = scene.surface.points[corner[1]], &r = scene.surface.points[corner[2]];
+    const Vec3 &p = scene.surface.points[corner[0]], &q = scene.surface.points[corner[1]],
+               &r = scene.surface.points[corner[2]];
     const Spot a = view(p), b = view(q), c = view(r);
     if (dot(cross(q - p, r - p), view.toward) <= 0) continue;
-    scan_triangle(a, b, c, canvas.width(), canvas.height(), [&](int x, int y, double wa, double wb, double wc) {
-      const double depth = wa * a.depth + wb * b.depth + wc * c.depth;
-      if (!canvas.in_front(x, y, depth)) return;
-      Vec3 normal = wa * normals[t][0] + wb * normals[t][1] + wc * normals[t][2];
-      normal = (1 / norm(normal)) * normal;
-      const Vec3 point = wa * p + wb * q + wc * r;
-      canvas.opaque(x, y, depth, kClay * lighting.at(point, normal, share_of(x, y)));
-    });
+    scan_triangle(a, b, c, canvas.width(), canvas.height(),
+                  [&](int x, int y, double wa, double wb, double wc) {
+                    const double depth = wa * a.depth + wb * b.depth + wc * c.depth;
+                    if (!canvas.in_front(x, y, depth)) return;
+                    Vec3 normal = wa * normals[t][0] + wb * normals[t][1] + wc * normals[t][2];
+                    normal = (1 / norm(normal)) * normal;
+                    const Vec3 point = wa * p + wb * q + wc * r;
+                    canvas.opaque(x, y, depth, kClay * lighting.at(point, normal, share_of(x, y)));
+                  });
   }
 }
 
@@ -92,7 +97,8 @@ Vec3 ground_point(const View& view, const Scene& scene, int x, int y) {
 }
 
 /// The shadow on the ground, in the samples from `first_x` on that show the background.
-void paint_shadow(Canvas& canvas, const View& view, const Scene& scene, const Lighting& lighting, int first_x) {
+void paint_shadow(Canvas& canvas, const View& view, const Scene& scene, const Lighting& lighting,
+                  int first_x) {
   const Vec3 up{0, 0, 1}, far_away = scene.center + (1e3 * scene.radius) * Vec3{1, 1, 1};
   for (int y = 0; y < canvas.height(); ++y) {
     for (int x = first_x; x < canvas.width(); ++x) {
@@ -107,7 +113,8 @@ void paint_shadow(Canvas& canvas, const View& view, const Scene& scene, const Li
   }
 }
 
-/// Thick segment with its depth, drawn nearer by `lift` samples so that a surface it lies on does not hide it.
+/// Thick segment with its depth, drawn nearer by `lift` samples so that a surface it lies on does not hide
+/// it.
 void paint_segment(Canvas& canvas, const Spot& a, const Spot& b, double lift, Rgb colour, float alpha) {
   const double half = kLine * kSamples;
   const double dx = b.x - a.x, dy = b.y - a.y, squared = dx * dx + dy * dy;
@@ -132,12 +139,14 @@ void paint_contours(Canvas& canvas, const View& view, const Sections& sections, 
     const PlaneSection& plane = sections.planes[k];
     for (const ContourEdge& edge : plane.edges) {
       if (!is_wall(edge)) continue;
-      paint_segment(canvas, view(plane.vertices[edge.a]), view(plane.vertices[edge.b]), lift, 0.55f * hue(k), 1);
+      paint_segment(canvas, view(plane.vertices[edge.a]), view(plane.vertices[edge.b]), lift, 0.55f * hue(k),
+                    1);
     }
   }
 }
 
-/// A section as a sheet of coloured glass: parallel projection keeps even-odd, so spans between walls are filled.
+/// A section as a sheet of coloured glass: parallel projection keeps even-odd, so spans between walls are
+/// filled.
 void paint_section(Canvas& canvas, const View& view, const PlaneSection& plane, Rgb colour) {
   const Vec3 normal = (1 / norm(plane.normal)) * plane.normal;
   const double facing = dot(normal, view.toward);
@@ -177,7 +186,8 @@ Image draw_picture(const Sections& sections, const Surface& surface, const Pictu
   View view = view_from(options.from);
   fit(view, scene, canvas);
   view.x = 0.25 * canvas.width();
-  for (std::size_t k = 0; k < sections.planes.size(); ++k) paint_section(canvas, view, sections.planes[k], hue(k));
+  for (std::size_t k = 0; k < sections.planes.size(); ++k)
+    paint_section(canvas, view, sections.planes[k], hue(k));
   paint_contours(canvas, view, sections, 0.5);
   view.x = 0.75 * canvas.width();
   paint_surface(canvas, view, scene, lighting);

@@ -71,7 +71,8 @@ Includes includes_of(const std::string& text) {
     if (line.rfind("#include", 0) != 0) continue;
     const std::size_t open = line.find_first_of("\"<");
     const std::size_t close = line.find_first_of("\">", open + 1);
-    (line[open] == '"' ? includes.quoted : includes.angled).push_back(line.substr(open + 1, close - open - 1));
+    (line[open] == '"' ? includes.quoted : includes.angled)
+        .push_back(line.substr(open + 1, close - open - 1));
   }
   return includes;
 }
@@ -92,7 +93,8 @@ TEST_CASE("folders include one way only, and io is used by the edge alone") {
       CAPTURE(source.path.string());
       CAPTURE(name);
       const fs::path target = (source.path.parent_path() / name).lexically_normal();
-      CHECK_MESSAGE(fs::exists(fs::path(CROSSLOFT_SOURCE_DIR) / target), "includes are relative to their file");
+      CHECK_MESSAGE(fs::exists(fs::path(CROSSLOFT_SOURCE_DIR) / target),
+                    "includes are relative to their file");
       const std::string room = target.begin()->string();
       CHECK(rank_of(room) <= rank_of(source.room()));
       if (room == "io") CHECK((source.room() == "io" || source.room() == "cli"));
@@ -151,8 +153,8 @@ TEST_CASE("functions fit in one look: none over 60 lines without a reason, nine 
   }
   std::sort(lengths.begin(), lengths.end());
   REQUIRE_FALSE(lengths.empty());
-  MESSAGE(lengths.size() << " functions, median " << lengths[lengths.size() / 2] << " lines, nine of ten within "
-                         << lengths[lengths.size() * 9 / 10]);
+  MESSAGE(lengths.size() << " functions, median " << lengths[lengths.size() / 2]
+                         << " lines, nine of ten within " << lengths[lengths.size() * 9 / 10]);
   CHECK(lengths[lengths.size() / 2] <= 8);
   CHECK(lengths[lengths.size() * 9 / 10] <= 30);
 }
@@ -163,6 +165,18 @@ TEST_CASE("every header has its include guard and a first comment that says what
     CAPTURE(source.path.string());
     CHECK(source.text.rfind("#pragma once\n///", 0) == 0);
   }
+}
+
+TEST_CASE("every folder has its page, and the README's example is the one that is compiled") {
+  const fs::path root = CROSSLOFT_SOURCE_DIR;
+  for (const std::string& room : kRooms) {
+    CAPTURE(room);
+    CHECK(fs::exists(root / room / "README.md"));
+  }
+  const std::string readme = text_of(root / "README.md"), fence = "```cpp\n";
+  const std::size_t begin = readme.find(fence) + fence.size(), end = readme.find("```", begin);
+  REQUIRE(end != std::string::npos);
+  CHECK(text_of(root / "examples/minimal.cpp").find(readme.substr(begin, end - begin)) != std::string::npos);
 }
 
 TEST_CASE("the scanner finds functions and their lengths") {

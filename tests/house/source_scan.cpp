@@ -154,8 +154,9 @@ std::string blank_comments_and_literals(const std::string& text) {
   for (std::size_t i = 0; i < text.size();) {
     const std::size_t end = std::min(text.size(), std::max(i + 1, end_of_blank(text, i)));
     if (end_of_blank(text, i) > i) {
-      std::replace_if(blanked.begin() + static_cast<std::ptrdiff_t>(i), blanked.begin() + static_cast<std::ptrdiff_t>(end),
-                      [](char c) { return c != '\n'; }, ' ');
+      std::replace_if(
+          blanked.begin() + static_cast<std::ptrdiff_t>(i),
+          blanked.begin() + static_cast<std::ptrdiff_t>(end), [](char c) { return c != '\n'; }, ' ');
     }
     i = end;
   }
@@ -167,7 +168,8 @@ std::vector<Function> functions_of(const std::string& text) {
   std::vector<Function> functions = Walker{blanked}.walk();
   const std::vector<std::size_t> starts = line_starts(text);
   for (Function& f : functions) {
-    const std::size_t from = starts[std::max<std::size_t>(1, f.first_line - std::min<std::size_t>(f.first_line, 3))];
+    const std::size_t from =
+        starts[std::max<std::size_t>(1, f.first_line - std::min<std::size_t>(f.first_line, 3))];
     const std::size_t to = starts[f.first_line + f.lines];
     f.excused = text.substr(from, to - from).find("// long:") != std::string::npos;
   }

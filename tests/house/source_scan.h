@@ -1,5 +1,6 @@
 #pragma once
-/// Reads C++ sources just well enough to measure them: comments and literals blanked, functions found by braces.
+/// Reads C++ sources just well enough to measure them: comments and literals blanked, functions found by
+/// braces.
 
 #include <cstddef>
 #include <string>
@@ -17,7 +18,8 @@ struct Function {
 /// The text with comments, literals and preprocessor lines replaced by blanks; line breaks stay.
 std::string blank_comments_and_literals(const std::string& text);
 
-/// Functions with a body at namespace or class scope. Lambdas and local classes count as part of their function.
+/// Functions with a body at namespace or class scope. Lambdas and local classes count as part of their
+/// function.
 std::vector<Function> functions_of(const std::string& text);
 
 bool contains_word(const std::string& text, const std::string& word);
