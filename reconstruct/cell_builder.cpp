@@ -5,6 +5,7 @@
 #include "../delaunay/delaunay3.h"
 #include "../delaunay/lattice_predicates.h"
 #include "grounded_table.h"
+#include "self_check.h"
 
 namespace crossloft {
 
@@ -144,6 +145,7 @@ Result<BuiltCell> CellBuilder::run() {
   const CellPredicates predicates(points, cell_.complex.face_masks, cell_.complex.words);
   Delaunay3 triangulation(predicates);
   triangulation.build();
+  if (auto good = self_check("Delaunay of a cell", [&] { return triangulation.verify(); }); !good) return good.error();
   if (triangulation.dimension() < 3) return std::move(cell_);
   cell_.complex.mesh = triangulation.tet_mesh();
   cell_.delaunay_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

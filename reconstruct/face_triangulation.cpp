@@ -7,6 +7,7 @@
 #include "../delaunay/conform.h"
 #include "../delaunay/lattice_predicates.h"
 #include "face_split.h"
+#include "self_check.h"
 
 namespace crossloft {
 
@@ -189,6 +190,7 @@ Result<FaceTriangulation> FaceBuilder::run() {
   Delaunay2 tri(predicates);
   tri.build();
   if (auto done = conform_to_walls(tri); !done) return done.error();
+  if (auto good = self_check("Delaunay of a face", [&] { return tri.verify(); }); !good) return good.error();
   if (tri.dimension() < 2) return std::move(result_);
   table_.finish();
   mesh_ = tri.tri_mesh();

@@ -6,12 +6,14 @@
 
 #include "../arrangement/data_box.h"
 #include "../prune/links.h"
+#include "../prune/verify.h"
 #include "assemble.h"
 #include "cell_builder.h"
 #include "flats.h"
 #include "numbering.h"
 #include "observer.h"
 #include "parallel.h"
+#include "self_check.h"
 
 namespace crossloft {
 namespace {
@@ -122,6 +124,7 @@ Result<Done> Pipeline::arrange() {
   auto arrangement = build_arrangement(planes, data_box(framed_), store_, context_);
   if (!arrangement) return arrangement.error();
   arrangement_ = std::make_unique<Arrangement>(std::move(arrangement).value());
+  if (auto good = self_check("arrangement", [&] { return arrangement_->verify(); }); !good) return good.error();
   Report& report = result_.report;
   report.arrangement_cells = arrangement_->cell_count();
   report.arrangement_faces = arrangement_->face_count();
@@ -133,6 +136,7 @@ Result<Done> Pipeline::arrange() {
   auto graph = build_section_graph(framed_, *arrangement_, store_, tolerances, context_);
   if (!graph) return graph.error();
   graph_ = std::move(graph).value();
+  if (auto good = self_check("sections", [&] { return verify(graph_, *arrangement_); }); !good) return good.error();
   report_crossings();
   report.seconds.crossings = watch_.lap();
   if (observer_) observer_->on_sections(framed_, *arrangement_, graph_);
@@ -206,6 +210,15 @@ void Pipeline::prune_cell(CellId id, CellResult& result) {
   if (cell.complex.mesh.size() == 0) return;
   Stopwatch watch;
   PruneResult pruned = prune(cell.complex, options_.mode);
+  const auto good = self_check("pruning", [&] {
+    const bool may_fail = options_.mode == PruneMode::paper_literal;  // its Step 3 breaks solidity, as documented
+    return verify(cell.complex) && (may_fail || verify(cell.complex, pruned)) ? "" : "a cell is not solid";
+  });
+  if (!good) {
+    result.error = good.error();
+    result.failed = true;
+    return;
+  }
   CellReport& report = result.report;
   report.faces = static_cast<std::uint32_t>(faces.size());
   report.vertices = cell.complex.vertex_count;
@@ -249,6 +262,11 @@ Result<Done> Pipeline::glue_cells() {
   result_.solid = assemble_solid(tets_, numbering_, framed_.grid);
   auto glued = glue(tets_);
   if (!glued) return glued.error();
+  const auto good = self_check("gluing", [&] {
+    const auto count = static_cast<std::uint32_t>(glued->vertices.size());
+    return verify_surface(count, glued->triangles) ? "" : "the surface is not a manifold";
+  });
+  if (!good) return good.error();
   result_.surface = assemble_surface(*glued, numbering_, framed_.grid);
   if (observer_) observer_->on_solid(tets_, numbering_);
   Report& report = result_.report;
