@@ -1,12 +1,10 @@
 #include "demo_input.h"
 
-#include <string_view>
-
 namespace crossloft::cli {
 namespace {
 
 /// The file in pieces, since compilers limit the length of a literal.
-constexpr std::string_view kPieces[] = {
+constexpr const char* kPieces[] = {
 #include <demo_contour.inc>  // generated
 };
 
@@ -14,7 +12,7 @@ constexpr std::string_view kPieces[] = {
 
 std::string demo_input() {
   std::string text;
-  for (std::string_view piece : kPieces) text += piece;
+  for (const char* piece : kPieces) text += piece;
   return text;
 }
 
