@@ -22,17 +22,11 @@ bool interior_to_face(const SectionGraph& graph, std::uint32_t v) {
 class RunMerger {
  public:
   RunMerger(SectionGraph& graph, std::uint32_t plane) : graph_(graph), plane_(graph.planes[plane]), walls_(graph.walls[plane]) {
-    tolerance_ = kSteps * std::max(norm(direction(plane_.e1)), norm(direction(plane_.e2)));
+    tolerance_ = snapping_tolerance(plane_);
   }
   void run();
 
  private:
-  /// A few steps of the lattice: what snapping alone may have bent.
-  static constexpr double kSteps = 3;
-
-  static Vec3 direction(const LatticeVector& e) {
-    return {static_cast<double>(e[0]), static_cast<double>(e[1]), static_cast<double>(e[2])};
-  }
   std::uint32_t other_end(std::uint32_t wall, std::uint32_t v) const {
     return walls_[wall].a == v ? walls_[wall].b : walls_[wall].a;
   }

@@ -76,6 +76,7 @@ Result<SectionGraph> build_section_graph(const FramedSections& framed, const Arr
                                          const Context& context) {
   namespace steps = section_steps;
   SectionGraph graph = steps::start(framed);
+  steps::join_touching(graph);
   steps::move_onto_lines(graph, framed, store, tolerances.on);
   if (context.cancelled()) return make_error(ErrorCode::cancelled, "cancelled");
   if (!steps::cut_at_planes(graph, store, tolerances.on))

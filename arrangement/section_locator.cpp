@@ -1,6 +1,7 @@
 #include "section_locator.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "../geom/ids.h"
@@ -135,6 +136,28 @@ bool SectionLocator::in_conflict(std::uint32_t v, std::uint32_t w) const {
   // They share exactly one point. It is an end of both iff an end of each is on the other's line there.
   const bool end_of_w = a == 0 || b == 0, end_of_v = c == 0 || d == 0;
   return !(end_of_w && end_of_v);
+}
+
+bool SectionLocator::near_interior(std::uint32_t w, std::uint32_t v, double tolerance) const {
+  const auto position = [&](std::uint32_t i) { return Vec3{points_[i].x, points_[i].y, points_[i].z}; };
+  const Vec3 a = position(walls_[w].a), d = position(walls_[w].b) - a, p = position(v) - a;
+  const double along = dot(p, d), length2 = dot(d, d);
+  return along > 0 && along < length2 && norm(cross(p, d)) <= tolerance * std::sqrt(length2);
+}
+
+std::vector<std::array<std::uint32_t, 2>> SectionLocator::near_touches(double tolerance) const {
+  std::vector<std::array<std::uint32_t, 2>> found;
+  for (const WallEnds& from : walls_)
+    for (const std::uint32_t v : {from.a, from.b}) {
+      const double level = points_[v][second_];
+      const std::uint32_t last = strip_of(level + tolerance);
+      for (std::uint32_t s = strip_of(level - tolerance); s <= last; ++s)
+        for (const std::uint32_t w : strip(s))
+          if (walls_[w].a != v && walls_[w].b != v && near_interior(w, v, tolerance)) found.push_back({w, v});
+    }
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  return found;
 }
 
 std::vector<std::array<std::uint32_t, 2>> SectionLocator::conflicts() const {

@@ -39,6 +39,9 @@ class SectionLocator {
 
   /// All pairs of walls (first < second, sorted) that share a point which is not an end of both.
   std::vector<std::array<std::uint32_t, 2>> conflicts() const;
+  /// Pairs (wall, point), sorted, of a wall and an end of another wall that is not an end of it but within `tolerance`
+  /// (in the units of the points) of its interior. Distances are rounded; meant for a few lattice steps.
+  std::vector<std::array<std::uint32_t, 2>> near_touches(double tolerance) const;
 
  private:
   struct Count {
@@ -53,6 +56,7 @@ class SectionLocator {
   /// Parity at p moved by an infinitesimal step towards q; wall `skip` is left out.
   Count count(const LatticePoint& p, const LatticePoint* toward, std::uint32_t skip) const;
   bool in_conflict(std::uint32_t v, std::uint32_t w) const;
+  bool near_interior(std::uint32_t w, std::uint32_t v, double tolerance) const;
   bool boxes_meet(std::uint32_t v, std::uint32_t w) const;
   std::array<double, 2> level_range(std::uint32_t w) const;
   const LatticePoint& low(std::uint32_t w) const { return points_[ordered_[w].a]; }

@@ -87,6 +87,34 @@ SectionGraph start(const FramedSections& framed) {
   return graph;
 }
 
+double snapping_tolerance(const LatticePlane& plane) {
+  constexpr double kSteps = 3;
+  return kSteps * std::max(length(plane.e1), length(plane.e2));
+}
+
+void join_touching(SectionGraph& graph) {
+  for (std::uint32_t p = 0; p < graph.planes.size(); ++p) {
+    std::vector<WallEnds> ends;
+    const auto touches = graph.locator(p, ends).near_touches(snapping_tolerance(graph.planes[p]));
+    for (std::size_t begin = 0, end; begin < touches.size(); begin = end) {
+      const std::uint32_t w = touches[begin][0];
+      const Wall wall = graph.walls[p][w];
+      const Vec3 from = position(graph.points[wall.a]), direction = position(graph.points[wall.b]) - from;
+      std::vector<std::pair<double, std::uint32_t>> through;  // along the wall
+      for (end = begin; end < touches.size() && touches[end][0] == w; ++end)
+        through.emplace_back(dot(position(graph.points[touches[end][1]]) - from, direction), touches[end][1]);
+      std::sort(through.begin(), through.end());
+      for (const auto& [at, v] : through) {
+        Wall rest = graph.walls[p][w];
+        graph.walls[p][w].b = v;
+        rest.a = v;
+        std::swap(graph.walls[p][w], rest);
+        graph.walls[p].push_back(rest);
+      }
+    }
+  }
+}
+
 void move_onto_lines(SectionGraph& graph, const FramedSections& framed, LatticePointStore& store,
                      double tolerance) {
   std::uint32_t v = 0;

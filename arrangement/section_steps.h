@@ -8,6 +8,13 @@ namespace crossloft::section_steps {
 /// Vertices of the framed sections and their walls, nothing moved.
 SectionGraph start(const FramedSections& framed);
 
+/// A few steps of a plane's lattice: how far snapping may bend what was straight, lattice units.
+double snapping_tolerance(const LatticePlane& plane);
+
+/// Contours of one plane that touch: a wall within the snapping tolerance of another contour's vertex is led through
+/// that vertex, so that the touch survives all later rounding. REQUIRES: nothing cut or moved yet.
+void join_touching(SectionGraph& graph);
+
 /// On: a contour vertex within `tolerance` of another plane, measured on the input coordinates, is a crossing that
 /// the slicer wrote; it moves onto the common line, or onto the arrangement vertex of two such lines. Not if the way
 /// is longer than a quarter of its shorter edge. REQUIRES: vertices numbered as start() left them.

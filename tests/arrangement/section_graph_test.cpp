@@ -143,6 +143,22 @@ TEST_CASE("contours that touch at a vertex or along an edge are cut there and do
   CHECK(b.graph->walls[0].size() == 8);  // 4 + 4, the shared piece gone, the long side in two rests
 }
 
+TEST_CASE("a touch survives the rounding of crossings") {
+  // Found by random small inputs: (-2,-2,-2) of the second contour is on an edge of the first, which is then cut at
+  // planes whose frames are a lattice step off.
+  Sections s;
+  PlaneSection plane = plane_at({1, 0, -1}, {0, 0, 0});
+  add_contour(plane, {{-3, -3, -3}, {0, -3, 0}, {0, 0, 0}}, 0);
+  add_contour(plane, {{-2, 2, -2}, {-1, 2, -1}, {-2, -2, -2}}, 1);
+  s.planes = {plane, plane_at({1, -1, 0}, {0, 1, 0}), plane_at({0, 1, 1}, {0, -4, 0}), plane_at({1, 0, 0}, {0x1p-40, 0, 0})};
+  const Built b = build(s);
+  REQUIRE(b.graph.ok());
+  std::vector<int> degree(b.graph->size(), 0);
+  for (const auto& walls : b.graph->walls)
+    for (const Wall& w : walls) ++degree[w.a], ++degree[w.b];
+  CHECK(std::count(degree.begin(), degree.end(), 4) == 1);
+}
+
 TEST_CASE("contours that cross are named") {
   Sections s;
   PlaneSection plane = plane_at({0, 0, 1}, {0, 0, 0});
