@@ -52,7 +52,7 @@ struct Report {
   std::vector<UnmatchedCrossing> unmatched;
   double largest_match_gap = 0;       ///< longest way between two crossings that were matched
   std::uint32_t disagreeing_vertices = 0;  ///< arrangement vertices that are inside one section and outside another
-  std::uint32_t merged_collinear = 0; ///< vertices dropped from collinear runs
+  std::uint32_t merged_collinear = 0; ///< vertices dropped that snapping bent off a straight run
   std::uint32_t edge_splits = 0;      ///< vertices added to make contours Delaunay-conforming
 
   double section_area = 0, flat_area = 0;
