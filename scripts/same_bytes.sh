@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The same bytes from g++ -O2, g++ -O0 with verify() on, and clang++: surfaces, solids and sections of every
-# example. Expects build/release; builds the other two. Where it matters: -O2 is where a value-changing
+# The same bytes from g++ -O3, g++ -O0 with verify() on, and clang++: surfaces, solids and sections of every
+# example. Expects build/release; builds the other two. Where it matters: -O3 is where a value-changing
 # transformation would show, another compiler is where an unspecified order of evaluation would.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -22,4 +22,4 @@ for name in release dev clang; do
   done
 done
 for name in dev clang; do diff -rq "$scratch/release" "$scratch/$name"; done
-echo "same bytes from g++ -O2, g++ -O0 and clang++: $(ls "$scratch/release" | wc -l) files each"
+echo "same bytes from g++ -O3, g++ -O0 and clang++: $(ls "$scratch/release" | wc -l) files each"

@@ -2,7 +2,7 @@
 # Installs what the tests need, builds everything, runs the tests labelled unit and cgal.
 #   --slow      also the tests labelled slow
 #   --sanitize  also the unit tests under ASan + UBSan and under TSan
-#   --clang     also: clang and -O0 builds, and the bytes they write must be those of g++ -O2
+#   --clang     also: clang and -O0 builds, and the bytes they write must be those of g++ -O3
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . scripts/install.sh
