@@ -114,9 +114,8 @@ bool SectionLocator::inside_left(std::uint32_t w) const {
 
 bool SectionLocator::boxes_meet(std::uint32_t v, std::uint32_t w) const {
   for (const int axis : {first_, second_}) {
-    const auto [v0, v1] = std::minmax(low(v)[axis], high(v)[axis]);
-    const auto [w0, w1] = std::minmax(low(w)[axis], high(w)[axis]);
-    if (v1 < w0 || w1 < v0) return false;
+    const double v0 = low(v)[axis], v1 = high(v)[axis], w0 = low(w)[axis], w1 = high(w)[axis];
+    if (std::max(v0, v1) < std::min(w0, w1) || std::max(w0, w1) < std::min(v0, v1)) return false;
   }
   return true;
 }

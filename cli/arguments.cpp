@@ -1,7 +1,10 @@
 #include "arguments.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cctype>
+#include <filesystem>
 
 namespace crossloft::cli {
 
@@ -17,6 +20,46 @@ CLI::Validator extension_in(std::vector<std::string> extensions) {
     return known ? "" : path + ": unknown extension, expected one of " + list;
   };
   return CLI::Validator(check, list);
+}
+
+namespace {
+
+namespace fs = std::filesystem;
+
+Error at(ErrorCode code, const char* message, const std::string& path) {
+  return {code, message, path, 0, kNone, kNone};
+}
+
+bool same_file(const std::string& a, const std::string& b) {
+  std::error_code none;
+  return fs::weakly_canonical(a, none) == fs::weakly_canonical(b, none) || fs::equivalent(a, b, none);
+}
+
+Result<Done> check_output(const std::string& path) {
+  const fs::path folder = fs::path(path).parent_path();
+  std::error_code none;
+  if (!fs::is_directory(folder.empty() ? fs::path(".") : folder, none))
+    return at(ErrorCode::file_not_writable, "cannot be written: its folder is not there", path);
+  if (fs::is_directory(path, none)) return at(ErrorCode::file_not_writable, "cannot be written: it is a folder", path);
+  const std::string where = folder.empty() ? "." : folder.string();
+  if (access(where.c_str(), W_OK) != 0)
+    return at(ErrorCode::file_not_writable, "cannot be written: no permission in its folder", path);
+  return Done{};
+}
+
+}  // namespace
+
+Result<Done> check_outputs(const std::vector<std::string>& inputs, const std::vector<std::string>& outputs) {
+  for (std::size_t i = 0; i < outputs.size(); ++i) {
+    if (outputs[i].empty()) continue;
+    for (const std::string& input : inputs)
+      if (same_file(input, outputs[i])) return at(ErrorCode::usage, "is the input, and would be overwritten", outputs[i]);
+    for (std::size_t j = 0; j < i; ++j)
+      if (!outputs[j].empty() && same_file(outputs[j], outputs[i]))
+        return at(ErrorCode::usage, "is asked for twice, with different contents", outputs[i]);
+    if (auto writable = check_output(outputs[i]); !writable) return writable;
+  }
+  return Done{};
 }
 
 }  // namespace crossloft::cli

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "../geom/result.h"
+
 namespace crossloft::cli {
 
 /// Accepts paths that end in one of the extensions (".ply"), in any case.
@@ -23,6 +25,10 @@ inline const CLI::Validator& is_solid_file() {
   static const CLI::Validator validator = extension_in({".vtu", ".mesh"});
   return validator;
 }
+
+/// Looks at a command's outputs before its work: each needs a folder that is there and can be written to, and no output may be
+/// an input or another output. Empty paths are skipped.
+Result<Done> check_outputs(const std::vector<std::string>& inputs, const std::vector<std::string>& outputs);
 
 /// A subcommand with its arguments' storage and an example that --help shows below the options. `run` is
 /// called with the parsed arguments after parsing succeeded.

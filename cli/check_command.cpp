@@ -13,7 +13,7 @@ namespace {
 
 struct Arguments {
   std::string surface, sections;
-  double max_distance = INFINITY;
+  double max_distance = INFINITY, max_extra = 0.05;
   bool quiet = false;
 };
 
@@ -63,7 +63,15 @@ void print_sections(Terminal& terminal, const SectionCheck& check) {
                  check.section_area, check.difference_area, check.distance, check.distance / check.diagonal);
 }
 
+/// Solid where no section is: never right, while section without solid may be a flat.
+double extra_area(const SectionCheck& check) {
+  double sum = 0;
+  for (const PlaneCheck& p : check.planes) sum += p.extra_area;
+  return sum;
+}
+
 ExitCode run(const Arguments& arguments) {
+  release_interrupts();
   Terminal terminal(arguments.quiet);
   const Context context = terminal.context();
   const auto surface = read_surface(arguments.surface, context);
@@ -77,7 +85,8 @@ ExitCode run(const Arguments& arguments) {
     if (!sections) return terminal.fail(sections.error());
     const SectionCheck check = check_sections(*surface, *sections);
     print_sections(terminal, check);
-    good = good && !(check.distance > arguments.max_distance * check.diagonal);
+    good = good && !(check.distance > arguments.max_distance * check.diagonal) &&
+           !(extra_area(check) > arguments.max_extra * check.section_area);
   }
   terminal.print("%s\n", good ? "good" : "NOT good");
   return good ? kGood : kPromiseBroken;
@@ -101,6 +110,12 @@ void add_check(CLI::App& program, ExitCode& outcome) {
           "--max-distance", a.max_distance,
           "a section boundary further off breaks a promise; a fraction of the diagonal (default: none, "
           "since flat sections are bare by design)")
+      ->check(CLI::NonNegativeNumber);
+  command
+      ->add_option("--max-extra", a.max_extra,
+                   "more solid outside of the sections breaks a promise; a fraction of their area. Sections that disagree are "
+                   "brought together within the match tolerance, so it is not 0")
+      ->capture_default_str()
       ->check(CLI::NonNegativeNumber);
   command->add_flag("--quiet", a.quiet, "only the exit code");
 }

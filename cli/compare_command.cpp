@@ -39,6 +39,7 @@ Result<Surface> read_closed(const std::string& path, const Context& context) {
 }
 
 ExitCode run(const Arguments& arguments) {
+  release_interrupts();
   Terminal terminal;
   const Context context = terminal.context();
   const auto a = read_closed(arguments.a, context);

@@ -38,12 +38,12 @@ ExitCode make_input(const std::string& path) {
   return written ? kGood : terminal.fail(written.error());
 }
 
-Result<Done> write_results(const std::string& folder, const Sections& input, const Reconstruction& result,
+Result<Done> write_results(const std::string& folder, const Image& picture, const Reconstruction& result,
                            const Context& context) {
   Result<Done> written = write_surface(folder + "/surface.ply", result.surface, context);
   if (written) written = write_solid(folder + "/solid.vtu", result.solid, context);
   if (written) written = write_file(folder + "/report.json", report_json(result.report, {kInputName, {}}));
-  if (written) written = write_png(folder + "/picture.png", draw_picture(input, result.surface));
+  if (written) written = write_png(folder + "/picture.png", picture);
   return written;
 }
 
@@ -51,14 +51,18 @@ ExitCode run(const Arguments& arguments) {
   if (!arguments.make_input.empty()) return make_input(arguments.make_input);
   Terminal terminal;
   const Context context = terminal.context(0);
-  std::error_code failure;
-  std::filesystem::create_directories(arguments.folder, failure);
-  if (failure) return terminal.fail({ErrorCode::file_not_writable, failure.message(), arguments.folder});
   const auto sections = parse_contour(demo_input(), kInputName, context);
   if (!sections) return terminal.fail(sections.error());
   const auto result = reconstruct(*sections, {}, context);
   if (!result) return terminal.fail(result.error());
-  const auto written = write_results(arguments.folder, *sections, *result, context);
+  const Image picture = draw_picture(*sections, result->surface);
+  if (context.cancelled()) return terminal.fail(make_error(ErrorCode::cancelled, "interrupted"));
+  ignore_interrupts();  // from here on the files appear, all of them
+  std::error_code failure;
+  std::filesystem::create_directories(arguments.folder, failure);
+  if (failure)
+    return terminal.fail({ErrorCode::file_not_writable, "cannot be made: " + failure.message(), arguments.folder, 0, kNone, kNone});
+  const auto written = write_results(arguments.folder, picture, *result, context);
   if (!written) return terminal.fail(written.error());
   print_summary(terminal, result->report);
   const std::string folder = std::filesystem::absolute(arguments.folder).lexically_normal().string();

@@ -49,7 +49,10 @@ ExitCode run(int argc, char** argv) {
 int main(int argc, char** argv) {
   catch_interrupts();
   try {
-    return run(argc, argv);
+    const ExitCode code = run(argc, argv);
+    if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
+    std::fputs("crossloft: standard output cannot be written\n", stderr);
+    return code == kGood ? kBadFile : code;
   } catch (const std::bad_alloc&) {
     std::fputs("crossloft: out of memory\n", stderr);
   } catch (const std::exception& error) {

@@ -31,7 +31,8 @@ PruneMode mode_named(const std::string& name) {
 }
 
 /// The files that were asked for, one after the other; each appears whole or not at all.
-Result<Done> write_results(const Arguments& arguments, const Reconstruction& result, const Context& context) {
+Result<Done> write_results(const Arguments& arguments, const Reconstruction& result, const Image& picture,
+                           const Context& context) {
   Result<Done> written = write_surface(arguments.surface, result.surface, context);
   if (written && !arguments.solid.empty()) written = write_solid(arguments.solid, result.solid, context);
   if (written && !arguments.sections.empty()) {
@@ -41,7 +42,7 @@ Result<Done> write_results(const Arguments& arguments, const Reconstruction& res
     written = write_file(arguments.report, report_json(result.report, {arguments.input, arguments.options}));
   }
   if (written && !arguments.picture.empty()) {
-    written = write_png(arguments.picture, draw_picture(result.sections, result.surface));
+    written = write_png(arguments.picture, picture);
   }
   return written;
 }
@@ -50,11 +51,19 @@ ExitCode run(Arguments arguments) {
   Terminal terminal(arguments.quiet);
   const Context context = terminal.context(arguments.threads);
   arguments.options.mode = mode_named(arguments.mode);
+  if (auto outputs = check_outputs({arguments.input}, {arguments.surface, arguments.solid, arguments.report,
+                                                       arguments.sections, arguments.picture});
+      !outputs)
+    return terminal.fail(outputs.error());
   const auto sections = read_sections(arguments.input, context);
   if (!sections) return terminal.fail(sections.error());
   const auto result = reconstruct(*sections, arguments.options, context);
   if (!result) return terminal.fail(result.error());
-  const auto written = write_results(arguments, *result, context);
+  Image picture;
+  if (!arguments.picture.empty()) picture = draw_picture(result->sections, result->surface);
+  if (context.cancelled()) return terminal.fail(make_error(ErrorCode::cancelled, "interrupted"));
+  ignore_interrupts();  // from here on the files appear, all of them
+  const auto written = write_results(arguments, *result, picture, context);
   if (!written) return terminal.fail(written.error());
   print_summary(terminal, result->report);
   return kGood;
@@ -83,7 +92,7 @@ void add_reconstruct(CLI::App& program, ExitCode& outcome) {
       ->add_option("--plane-tolerance", a.options.plane_tolerance,
                    "a vertex further from its plane is an error; a fraction of the diagonal")
       ->capture_default_str()
-      ->check(CLI::Range(0.0, 1.0));
+      ->check(CLI::Range(0.0, 0.1));
   command->add_option("--report", a.report, "also a report (docs/report.md)")->check(extension_in({".json"}));
   command->add_option("--picture", a.picture, "also a picture of sections and surface")
       ->check(extension_in({".png"}));

@@ -14,6 +14,11 @@ namespace crossloft::cli {
 /// Makes Ctrl-C and SIGTERM raise the cancel flag of every context made afterwards; a second one kills.
 void catch_interrupts();
 
+/// The default again: for work that does not look at the flag, and whose files appear whole or not at all.
+void release_interrupts();
+/// From here on Ctrl-C and SIGTERM wait for the end: several files are being written that belong together.
+void ignore_interrupts();
+
 /// Results are printed by print(); notes, warnings, errors and the progress bar go to stderr. The bar is
 /// drawn only if stderr is a terminal. Quiet leaves warnings and errors alone.
 class Terminal {

@@ -50,6 +50,7 @@ class Pipeline {
   Result<Reconstruction> run();
 
  private:
+  Result<Done> check_input() const;
   Result<Done> frame();
   Result<Done> arrange();
   Result<Done> triangulate_faces();
@@ -82,7 +83,22 @@ class Pipeline {
   Reconstruction result_;
 };
 
+/// Volumes and areas of coordinates beyond this would overflow a double.
+constexpr double kLargestCoordinate = 1e100;
+
+Result<Done> Pipeline::check_input() const {
+  for (const double tolerance : {options_.match_tolerance, options_.on_tolerance})
+    if (!(tolerance >= 0 && tolerance <= 1))
+      return make_error(ErrorCode::usage, "a tolerance is a fraction of the diagonal, between 0 and 1");
+  for (std::uint32_t p = 0; p < sections_.planes.size(); ++p)
+    for (const Vec3& v : sections_.planes[p].vertices)
+      if (std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}) > kLargestCoordinate && is_finite(v))
+        return Error{ErrorCode::too_large, "a coordinate is beyond 1e100", {}, sections_.planes[p].line, p, kNone};
+  return Done{};
+}
+
 Result<Done> Pipeline::frame() {
+  if (auto good = check_input(); !good) return good.error();
   auto framed = frame_sections(sections_, options_.plane_tolerance, context_);
   if (!framed) return framed.error();
   framed_ = std::move(framed).value();

@@ -111,6 +111,17 @@ TEST_CASE("what can't be read as sections is an error that names the place") {
   CHECK(r.error().plane == 2);
 }
 
+TEST_CASE("coordinates whose volume overflows and tolerances that are none are refused") {
+  CHECK(error_of(stack(1e200)) == ErrorCode::too_large);
+  for (const double tolerance : {-1.0, 2.0, static_cast<double>(NAN)}) {
+    Options options;
+    options.match_tolerance = tolerance;
+    const auto r = reconstruct(stack(), options);
+    REQUIRE_FALSE(r.ok());
+    CHECK(r.error().code == ErrorCode::usage);
+  }
+}
+
 TEST_CASE("a raised cancel flag ends the work") {
   const std::atomic<bool> cancel{true};
   Context context;
