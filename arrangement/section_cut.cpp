@@ -97,7 +97,10 @@ std::optional<std::uint32_t> Cutter::corner_near(std::uint32_t i, std::uint32_t 
   const double length = norm(between(a, b, 1) - between(a, b, 0));
   const double room = std::min(cuts[0].at, 1 - cuts[0].at) * length / 4;
   for (std::size_t m = 1; m < cuts.size() && (cuts[m].at - cuts[0].at) * length <= snap_; ++m)
-    if (const auto c = corner(i, cuts[0].plane, cuts[m].plane, target, std::min(snap_, room))) return c;
+    if (const auto c = corner(i, cuts[0].plane, cuts[m].plane, target, std::min(snap_, room))) {
+      if (offender(a, b, *c, cuts[0].plane) == kNone) return c;
+      pop();
+    }
   return std::nullopt;
 }
 
@@ -135,22 +138,29 @@ std::uint32_t Cutter::crossing(std::uint32_t i, std::uint32_t a, std::uint32_t b
 }
 
 bool Cutter::cut(std::uint32_t plane, const Wall& wall, std::vector<Wall>& pieces) {
-  // From the lexicographically lower end, so that the result does not depend on the direction of the contour.
+  // From the lexicographically lower end, so that the result does not depend on the direction of the contour. A new
+  // vertex may have been rounded past a further plane: its piece counts as done only once nothing crosses it.
   const bool forward = compare_lex(graph_.points[wall.a], graph_.points[wall.b]) < 0;
-  std::uint32_t from = forward ? wall.a : wall.b;
-  const std::uint32_t to = forward ? wall.b : wall.a;
-  for (std::size_t round = 0; round <= 2 * graph_.planes.size(); ++round) {
-    const std::vector<Cut> at = cuts(from, to);
-    Wall piece = wall;
-    piece.a = from;
-    piece.b = to;
-    if (!at.empty()) piece.b = crossing(plane, from, to, at);
-    if (piece.b == kNone) return false;
-    pieces.push_back(piece);
-    if (at.empty()) return true;
-    from = piece.b;
+  std::vector<Wall> open{wall};  // the next piece last
+  if (!forward) std::swap(open[0].a, open[0].b);
+  const std::size_t limit = 16 + 8 * graph_.planes.size();
+  for (std::size_t round = 0; !open.empty(); ++round) {
+    if (round == limit) return false;
+    const Wall piece = open.back();
+    const std::vector<Cut> at = cuts(piece.a, piece.b);
+    if (at.empty()) {
+      pieces.push_back(piece);
+      open.pop_back();
+      continue;
+    }
+    const std::uint32_t c = crossing(plane, piece.a, piece.b, at);
+    if (c == kNone) return false;
+    Wall first = piece;
+    first.b = c;
+    open.back().a = c;
+    open.push_back(first);
   }
-  return false;
+  return true;
 }
 
 }  // namespace

@@ -87,24 +87,6 @@ void RunMerger::run() {
   std::erase_if(walls_, [&](const Wall&) { return dead_[w++]; });
 }
 
-/// Equal walls cancel in pairs: a point crosses both or none.
-void cancel_pairs(std::vector<Wall>& walls) {
-  for (Wall& w : walls)
-    if (w.a > w.b) std::swap(w.a, w.b);
-  std::erase_if(walls, [](const Wall& w) { return w.a == w.b; });
-  std::sort(walls.begin(), walls.end(), [](const Wall& x, const Wall& y) {
-    return std::tie(x.a, x.b, x.source_plane, x.contour, x.line) < std::tie(y.a, y.b, y.source_plane, y.contour, y.line);
-  });
-  std::vector<Wall> odd;
-  for (const Wall& w : walls) {
-    if (!odd.empty() && odd.back().a == w.a && odd.back().b == w.b)
-      odd.pop_back();
-    else
-      odd.push_back(w);
-  }
-  walls = std::move(odd);
-}
-
 /// Vertices into lexicographic order, equal ones into one, those without a wall out unless `kept`.
 void renumber(SectionGraph& graph, const std::vector<bool>& kept) {
   std::vector<bool> used = kept;
@@ -201,9 +183,29 @@ void cut_along_edges(SectionGraph& graph, const Arrangement& arrangement) {
 
 }  // namespace
 
+void cancel_pairs(std::vector<Wall>& walls) {
+  for (Wall& w : walls)
+    if (w.a > w.b) std::swap(w.a, w.b);
+  std::erase_if(walls, [](const Wall& w) { return w.a == w.b; });
+  std::sort(walls.begin(), walls.end(), [](const Wall& x, const Wall& y) {
+    return std::tie(x.a, x.b, x.source_plane, x.contour, x.line) < std::tie(y.a, y.b, y.source_plane, y.contour, y.line);
+  });
+  std::vector<Wall> odd;
+  for (const Wall& w : walls) {
+    if (!odd.empty() && odd.back().a == w.a && odd.back().b == w.b)
+      odd.pop_back();
+    else
+      odd.push_back(w);
+  }
+  walls = std::move(odd);
+}
+
 Location wall_location(const SectionGraph& graph, const Arrangement& arrangement, const Wall& wall) {
   std::vector<std::uint64_t> positive(graph.words), zero(graph.words);
   for (std::uint32_t w = 0; w < graph.words; ++w) {
+    if (((graph.positive_of(wall.a)[w] ^ graph.positive_of(wall.b)[w]) & ~graph.zero_of(wall.a)[w] &
+         ~graph.zero_of(wall.b)[w]) != 0)
+      return {};
     positive[w] = graph.positive_of(wall.a)[w] | graph.positive_of(wall.b)[w];
     zero[w] = graph.zero_of(wall.a)[w] & graph.zero_of(wall.b)[w];
   }

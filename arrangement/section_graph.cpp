@@ -88,6 +88,10 @@ Result<SectionGraph> build_section_graph(const FramedSections& framed, const Arr
   if (auto oriented = orient_walls(graph); !oriented) return oriented.error();
   steps::add_arrangement_vertices(graph, arrangement);
   if (auto oriented = orient_walls(graph); !oriented) return oriented.error();
+  for (const auto& walls : graph.walls)
+    for (const Wall& w : walls)
+      if (!steps::wall_location(graph, arrangement, w).found())
+        return Error{ErrorCode::internal, "a contour edge crosses a plane uncut", {}, w.line, w.source_plane, w.contour};
   for (std::uint32_t v = 0; v < graph.size(); ++v)
     graph.locations.push_back(arrangement.locate({graph.positive_of(v), graph.zero_of(v)}));
   return graph;

@@ -43,8 +43,13 @@ SectionLocator::SectionLocator(const LatticePlane& plane, std::span<const Lattic
     highest = std::max(highest, points[ordered_.back().b][second_]);
   }
   const auto count = static_cast<std::uint32_t>(walls.size());
-  const std::uint32_t strips = std::max(1u, count);
-  origin_ = lowest;
+  // As many strips as walls, fewer where walls are long: each wall is in 1 + strips * span / height of them, which
+  // this bounds by 9 on average.
+  double spans = 0;
+  for (std::uint32_t w = 0; w < count; ++w) spans += high(w)[second_] - low(w)[second_];
+  const double wanted = spans > 0 ? 8.0 * count * ((highest - lowest) / spans) : 1;
+  const std::uint32_t strips = count == 0 ? 1 : static_cast<std::uint32_t>(std::clamp(wanted, 1.0, 1.0 * count));
+  origin_ = count > 0 ? lowest : 0;
   last_strip_ = strips - 1.0;
   inverse_ = count > 0 && highest > lowest ? strips / (highest - lowest) : 0.0;
   fill_strips(
@@ -161,16 +166,13 @@ std::vector<std::array<std::uint32_t, 2>> SectionLocator::near_touches(double to
 
 std::vector<std::array<std::uint32_t, 2>> SectionLocator::conflicts() const {
   std::vector<std::array<std::uint32_t, 2>> found;
-  for (std::uint32_t s = 0; s + 1 < starts_.size(); ++s) {
-    const auto items = strip(s);
-    for (std::size_t i = 0; i < items.size(); ++i)
-      for (std::size_t j = i + 1; j < items.size(); ++j) {
-        const std::uint32_t v = items[i], w = items[j];
-        const double begin = std::max(low(v)[second_], low(w)[second_]);
-        if (strip_of(begin) != s) continue;  // the pair is tested in the first strip they share
-        if (in_conflict(v, w)) found.push_back({std::min(v, w), std::max(v, w)});
-      }
-  }
+  const auto starts_in = [&](std::uint32_t w, std::uint32_t s) { return strip_of(low(w)[second_]) == s; };
+  for (std::uint32_t s = 0; s + 1 < starts_.size(); ++s)
+    for (const std::uint32_t v : strip(s)) {
+      if (!starts_in(v, s)) continue;  // a pair is tested in the first strip they share: there one of them starts
+      for (const std::uint32_t w : strip(s))
+        if (w != v && (w > v || !starts_in(w, s)) && in_conflict(v, w)) found.push_back({std::min(v, w), std::max(v, w)});
+    }
   std::sort(found.begin(), found.end());
   return found;
 }

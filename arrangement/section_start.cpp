@@ -37,7 +37,8 @@ std::vector<double> shortest_edges(const SectionGraph& graph, std::uint32_t p) {
   return shortest;
 }
 
-/// The nearest point of the line of planes i, j whose dominant coordinate is an integer.
+/// The point of the line of planes i, j whose dominant coordinate is that of `from`, rounded: at most sqrt(3) times as
+/// far as the nearest.
 std::optional<LatticePoint> drop_on_line(const SectionGraph& graph, LatticePointStore& store, std::uint32_t i,
                                          std::uint32_t j, const LatticePoint& from) {
   const int axis = line_axis(graph.planes[i], graph.planes[j]);
@@ -112,6 +113,7 @@ void join_touching(SectionGraph& graph) {
         graph.walls[p].push_back(rest);
       }
     }
+    cancel_pairs(graph.walls[p]);
   }
 }
 
@@ -125,7 +127,7 @@ void move_onto_lines(SectionGraph& graph, const FramedSections& framed, LatticeP
       const Vec3 at = framed.grid.scaled(input);
       near.clear();
       for (std::uint32_t j = 0; j < graph.planes.size(); ++j)
-        if (j != i && distance(graph.planes[j], at) <= tolerance && line_axis(graph.planes[i], graph.planes[j]) >= 0)
+        if (j != i && shortest[v] < INFINITY && distance(graph.planes[j], at) <= tolerance && line_axis(graph.planes[i], graph.planes[j]) >= 0)
           near.push_back(j);
       const bool all_exact = std::all_of(near.begin(), near.end(), [&](auto j) { return graph.sign(v, j) == 0; });
       if (!near.empty() && all_exact) ++graph.statistics.on_line;

@@ -11,6 +11,9 @@ SectionGraph start(const FramedSections& framed);
 /// A few steps of a plane's lattice: how far snapping may bend what was straight, lattice units.
 double snapping_tolerance(const LatticePlane& plane);
 
+/// Equal walls cancel in pairs: a point crosses both or none. Sorts by (a, b), a < b; drops walls without length.
+void cancel_pairs(std::vector<Wall>& walls);
+
 /// Contours of one plane that touch: a wall within the snapping tolerance of another contour's vertex is led through
 /// that vertex, so that the touch survives all later rounding. REQUIRES: nothing cut or moved yet.
 void join_touching(SectionGraph& graph);

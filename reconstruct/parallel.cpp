@@ -16,11 +16,13 @@ bool parallel_for(std::size_t count, const Context& context, std::string_view st
       if (reports) context.report(stage, static_cast<double>(std::min(count, next.load())) / static_cast<double>(count));
     }
   };
-  const unsigned wanted = context.threads != 0 ? context.threads : std::max(1u, std::thread::hardware_concurrency());
-  std::vector<std::thread> helpers;
-  for (unsigned t = 1; t < std::min<std::size_t>(wanted, count); ++t) helpers.emplace_back(drain, false);
+  const unsigned cores = std::max(1u, std::thread::hardware_concurrency());
+  // More threads than a few per core gain nothing, and a system that refuses one would end the program.
+  const unsigned wanted = context.threads != 0 ? std::min(context.threads, 4 * cores) : cores;
+  std::vector<std::thread> workers;
+  for (unsigned t = 1; t < std::min<std::size_t>(wanted, count); ++t) workers.emplace_back(drain, false);
   drain(true);
-  for (std::thread& helper : helpers) helper.join();
+  for (std::thread& worker : workers) worker.join();
   return !context.cancelled();
 }
 

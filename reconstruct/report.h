@@ -1,5 +1,6 @@
 #pragma once
-/// What a reconstruction tells about itself, as plain numbers. Lengths in input units, seconds of wall clock.
+/// What a reconstruction tells about itself, as plain numbers. Lengths in input units, seconds of wall clock, `delaunay` and
+/// `pruning` added up over cells (and so over threads).
 
 #include <cstdint>
 #include <string>
