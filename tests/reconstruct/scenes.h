@@ -13,8 +13,9 @@
 
 namespace crossloft::test {
 
-inline Sections load(const std::string& name) {
-  auto sections = read_sections(std::string(CROSSLOFT_SOURCE_DIR "/examples/") + name);
+/// By its path below the source tree's examples/.
+inline Sections load(const std::string& name, const std::string& folder = "/examples/") {
+  auto sections = read_sections(CROSSLOFT_SOURCE_DIR + folder + name);
   REQUIRE(sections.ok());
   return std::move(sections).value();
 }

@@ -1,0 +1,33 @@
+/// Inputs that went wrong once, found by random small and nearly degenerate sections.
+
+#include "../../inspect/check.h"
+#include "scenes.h"
+
+using namespace crossloft;
+using namespace crossloft::test;
+
+namespace {
+
+void check_case(const char* name) {
+  const auto r = reconstruct(load(name, "/tests/reconstruct/cases/"));
+  REQUIRE(r.ok());
+  const CheckReport surface = check_surface(r->surface);
+  CHECK(surface.good_topology());
+  CHECK(surface.crossings == 0);
+}
+
+}  // namespace
+
+TEST_CASE("a contour that touches another's edge where the edge is bent by rounding: its piece was no Delaunay edge") {
+  check_case("touching_edge_a.contour");
+  check_case("touching_edge_b.contour");
+}
+
+TEST_CASE("nearly parallel planes: a piece led to a corner crossed a further plane, and a vertex was looked up in a face "
+          "it is not on") {
+  check_case("near_parallel_corner.contour");
+}
+
+TEST_CASE("nearly parallel planes: a piece that crossed a plane gave its face contradicting labels") {
+  check_case("near_parallel_labels.contour");
+}
