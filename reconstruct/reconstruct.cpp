@@ -57,8 +57,7 @@ class Pipeline {
   Result<Done> prune_cells();
   Result<Done> glue_cells();
   void prune_cell(CellId id, CellResult& result);
-  void cover(CellId id, std::span<const CellFace> faces, std::span<const FaceId> face_ids, const BuiltCell& cell,
-             const PruneResult& pruned);
+  void cover(CellId id, std::span<const FaceId> face_ids, const BuiltCell& cell, const PruneResult& pruned);
   void report_crossings();
   void explain_empty();
   Error cancelled() const { return make_error(ErrorCode::cancelled, "cancelled"); }
@@ -197,7 +196,7 @@ Result<Done> Pipeline::triangulate_faces() {
 }
 
 /// Marks the section triangles that kept tetrahedra stand on; each cell has its own side of each face.
-void Pipeline::cover(CellId id, std::span<const CellFace>, std::span<const FaceId> face_ids, const BuiltCell& cell,
+void Pipeline::cover(CellId id, std::span<const FaceId> face_ids, const BuiltCell& cell,
                      const PruneResult& pruned) {
   for (std::size_t t = 0; t < pruned.kept.size(); ++t)
     for (const GroundTriangle& ground : cell.ground[t]) {
@@ -242,7 +241,7 @@ void Pipeline::prune_cell(CellId id, CellResult& result) {
   report.bad_links = census_links(cell.complex, pruned.kept).bad_links();
   result.pruning_seconds = watch.lap();
   result.delaunay_seconds = cell.delaunay_seconds;
-  cover(id, faces, face_ids, cell, pruned);
+  cover(id, face_ids, cell, pruned);
   for (std::size_t t = 0; t < pruned.kept.size(); ++t)
     if (pruned.kept[t] != 0) {
       std::array<std::uint32_t, 4> tet;
