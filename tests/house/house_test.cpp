@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::array<std::string, 8> kRooms = {"geom",        "delaunay", "arrangement", "prune",
+const std::array<std::string, 9> kRooms = {"geom",        "delaunay", "arrangement", "moebius", "prune",
                                            "reconstruct", "inspect",  "io",          "cli"};
 
 struct Source {
