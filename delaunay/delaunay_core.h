@@ -36,8 +36,8 @@ class DelaunayCore {
  public:
   explicit DelaunayCore(const P& predicates) : predicates_(predicates) {}
 
-  /// Inserts all points of the predicates object.
-  void build();
+  /// Inserts the points of the predicates object from `first` on.
+  void build(std::uint32_t first = 0);
   /// Inserts point i, searching from vertex `near` if the dimension is 2 and it is given.
   std::uint32_t insert(std::uint32_t i, std::uint32_t near = kNone);
 

@@ -6,12 +6,12 @@
 namespace crossloft::detail {
 
 template <std::size_t D, class P>
-void DelaunayCore<D, P>::build() {
-  std::vector<std::array<double, D>> points(predicates_.size());
+void DelaunayCore<D, P>::build(std::uint32_t first) {
+  std::vector<std::array<double, D>> points(predicates_.size() - first);
   for (std::uint32_t i = 0; i < points.size(); ++i)
     for (std::size_t axis = 0; axis < D; ++axis)
-      points[i][axis] = predicates_.coordinate(i, static_cast<int>(axis));
-  for (const std::uint32_t i : insertion_order(std::span<const std::array<double, D>>(points))) insert(i);
+      points[i][axis] = predicates_.coordinate(first + i, static_cast<int>(axis));
+  for (const std::uint32_t i : insertion_order(std::span<const std::array<double, D>>(points))) insert(first + i);
   if (!kept_.empty()) keep_lowest();
 }
 

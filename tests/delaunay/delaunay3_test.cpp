@@ -90,6 +90,28 @@ TEST_CASE("the triangulation is a function of the point set") {
   check_order_independent(point_sets::on_cube_faces(6, 3, 60, 4));
 }
 
+TEST_CASE("points added later give what all points at once give") {
+  /// Knows the first `known` points only.
+  struct Growing : LatticePredicates3 {
+    using LatticePredicates3::LatticePredicates3;
+    std::uint32_t size() const { return known; }
+    std::uint32_t known = 0;
+  };
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    auto points = point_sets::random_cube(200, 6, seed);
+    for (const std::uint32_t first : {0u, 1u, 3u, 100u, 200u}) {
+      Growing predicates(points);
+      predicates.known = first;
+      Delaunay3 triangulation(predicates);
+      triangulation.build();
+      predicates.known = static_cast<std::uint32_t>(points.size());
+      triangulation.extend(first);
+      CHECK(triangulation.verify() == "");
+      CHECK(point_sets::by_rank(triangulation.tet_mesh().vertices, point_sets::ranks(points)) == tets_by_rank(points));
+    }
+  }
+}
+
 TEST_CASE("a grid is filled by cubes of five or six tetrahedra") {
   const Tets tets = tets_by_rank(point_sets::grid(5, 5, 5));
   CHECK(tets.size() >= 5 * 64);
