@@ -31,8 +31,8 @@ class Delaunay3 {
 
   /// Triangulates all points. Call it once.
   void build() { core_.build(); }
-  /// Adds the points that the predicates object gained: those from `first` on. The result is that of build() on all
-  /// points. REQUIRES: the points before `first` are in.
+  /// Adds the points that the predicates object gained: those from `first` on. The result is that of build()
+  /// on all points. REQUIRES: the points before `first` are in.
   void extend(std::uint32_t first) { core_.build(first); }
   /// Of the affine hull: -1 no points, 0 one point, 1 collinear, 2 coplanar, 3 otherwise. Below 3 there are
   /// no tetrahedra, which is no error.

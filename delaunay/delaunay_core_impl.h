@@ -11,7 +11,8 @@ void DelaunayCore<D, P>::build(std::uint32_t first) {
   for (std::uint32_t i = 0; i < points.size(); ++i)
     for (std::size_t axis = 0; axis < D; ++axis)
       points[i][axis] = predicates_.coordinate(first + i, static_cast<int>(axis));
-  for (const std::uint32_t i : insertion_order(std::span<const std::array<double, D>>(points))) insert(first + i);
+  for (const std::uint32_t i : insertion_order(std::span<const std::array<double, D>>(points)))
+    insert(first + i);
   if (!kept_.empty()) keep_lowest();
 }
 
@@ -36,7 +37,7 @@ bool DelaunayCore<D, P>::extends_basis(std::uint32_t i) const {
   if constexpr (D == 2) {
     return predicates_.orient2d(b[0], b[1], i) != 0;
   } else {
-    if (basis_size_ == 2) return !predicates_.collinear(b[0], b[1], i);
+    if (basis_size_ == 2) return !collinear(predicates_, b[0], b[1], i);
     return predicates_.orient3d(b[0], b[1], b[2], i) != 0;
   }
 }
@@ -87,20 +88,28 @@ void DelaunayCore<D, P>::make_first_cells() {
 template <std::size_t D, class P>
 std::uint32_t DelaunayCore<D, P>::insert_in_full_dimension(std::uint32_t i, std::uint32_t start) {
   const std::uint32_t at = locate(i, start);
-  const std::uint32_t twin = equal_vertex(at, i);
+  hint_ = at;
   removed_.clear();
-  if (twin != kNone) {
-    for (auto k = static_cast<std::uint32_t>(kept_.size()); k <= i; ++k) kept_.push_back(k);
-    return kept_[i] = twin;
+  if (const std::uint32_t twin = equal_vertex(at, i); twin != kNone) return keep(i, twin);
+  if constexpr (HasHeights<P>) {
+    if (is_above(at, i)) return keep(i, kNone);
   }
   dig(i, at);
   fill();
   ++vertex_count_;
+  if constexpr (HasHeights<P>) hide_inner_vertices();
   return i;
 }
 
-/// Visibility walk: it cannot cycle, since the perturbed triangulation is regular. Returns a cell in conflict
-/// with e, or one that has a vertex equal to e: a finite cell that holds e, or a ghost cell that e is beyond.
+template <std::size_t D, class P>
+std::uint32_t DelaunayCore<D, P>::keep(std::uint32_t i, std::uint32_t vertex) {
+  for (auto k = static_cast<std::uint32_t>(kept_.size()); k <= i; ++k) kept_.push_back(k);
+  return kept_[i] = vertex;
+}
+
+/// Visibility walk: it cannot cycle, since the perturbed triangulation is regular. Returns a finite cell that
+/// holds e, or a ghost cell that e is beyond. It is in conflict with e unless it has a vertex equal to e or e
+/// is hidden.
 template <std::size_t D, class P>
 std::uint32_t DelaunayCore<D, P>::locate(std::uint32_t e, std::uint32_t start) const {
   std::uint32_t cell = cells_.is_ghost(start) ? cells_.across({start, D}).cell() : start;
@@ -124,8 +133,15 @@ std::uint32_t DelaunayCore<D, P>::equal_vertex(std::uint32_t cell, std::uint32_t
   if (cells_.is_ghost(cell)) return kNone;  // e is strictly beyond the hull
   for (const std::uint32_t v : cells_.vertices(cell))
     if (predicates_.coordinate(v, 0) == predicates_.coordinate(e, 0) && predicates_.compare_lex(v, e) == 0)
-      return v;
+      return equal_heights(predicates_, v, e) ? v : kNone;
   return kNone;
+}
+
+/// REQUIRES: `cell` is that of locate(e). Whether e is above the hull is whether it is above the hyperplane
+/// of the cell that holds it; on a common face of several, they agree. Beyond the hull nothing is hidden.
+template <std::size_t D, class P>
+bool DelaunayCore<D, P>::is_above(std::uint32_t cell, std::uint32_t e) const {
+  return !cells_.is_ghost(cell) && !in_conflict(cell, e);
 }
 
 template <std::size_t D, class P>
@@ -149,6 +165,11 @@ void DelaunayCore<D, P>::dig(std::uint32_t e, std::uint32_t start) {
   cavity_.assign(1, start);
   rim_.clear();
   cells_.set_mark(start, stamp_);
+  if constexpr (HasHeights<P>) {
+    dug_vertices_.clear();
+    if (vertex_marks_.size() <= predicates_.size()) vertex_marks_.resize(std::size_t{predicates_.size()} + 1);
+    for (const std::uint32_t v : cells_.vertices(start)) note_vertex(v);
+  }
   for (std::size_t k = 0; k < cavity_.size(); ++k) {
     const std::uint32_t cell = cavity_[k];
     for (std::size_t slot = 0; slot <= D; ++slot) {
@@ -157,7 +178,11 @@ void DelaunayCore<D, P>::dig(std::uint32_t e, std::uint32_t start) {
       if (mark != stamp_ && mark != stamp_ + 1) {
         mark = in_conflict(next.cell(), e) ? stamp_ : stamp_ + 1;
         cells_.set_mark(next.cell(), mark);
-        if (mark == stamp_) cavity_.push_back(next.cell());
+        if (mark == stamp_) {
+          cavity_.push_back(next.cell());
+          // The other vertices are those of a cell that is in already.
+          if constexpr (HasHeights<P>) note_vertex(cells_.vertices(next.cell())[next.slot()]);
+        }
       }
       if (mark != stamp_) {
         rim_.push_back({replaced(cells_.vertices(cell), slot, e), slot, next});
@@ -174,6 +199,29 @@ void DelaunayCore<D, P>::note_removed(std::uint32_t cell, std::size_t slot) {
   const auto& v = cells_.vertices(cell);
   const std::uint32_t a = v[(slot + 1) % 3], b = v[(slot + 2) % 3];
   if (a < b && b != kGhost) removed_.push_back({a, b});
+}
+
+template <std::size_t D, class P>
+void DelaunayCore<D, P>::note_vertex(std::uint32_t v) {
+  std::uint32_t& mark = vertex_marks_[v + 1];  // kGhost + 1 is 0
+  if (mark == stamp_) return;
+  mark = stamp_;
+  dug_vertices_.push_back(v);
+}
+
+/// After fill(): vertices of the cavity that no new cell has.
+template <std::size_t D, class P>
+void DelaunayCore<D, P>::hide_inner_vertices() {
+  const std::size_t on_rim = D == 2 ? rim_.size() : rim_.size() / 2 + 2;
+  if (dug_vertices_.size() == on_rim) return;
+  for (const Rim& rim : rim_)
+    for (const std::uint32_t v : rim.cell) vertex_marks_[v + 1] = stamp_ + 1;
+  for (const std::uint32_t v : dug_vertices_) {
+    if (vertex_marks_[v + 1] != stamp_) continue;
+    keep(v, kNone);
+    --vertex_count_;
+    if (v < incident_.size()) incident_[v] = kNone;
+  }
 }
 
 /// Stars the cavity from the new point: a cell over each facet of the rim, in the place of a removed one
@@ -222,12 +270,15 @@ void DelaunayCore<D, P>::note_incident(std::uint32_t cell) {
 // ---- results
 
 /// Renames each vertex with duplicates to the lowest index of its equals: the insertion order kept another.
+/// Those of a vertex that was hidden later are hidden too.
 template <std::size_t D, class P>
 void DelaunayCore<D, P>::keep_lowest() {
   for (auto k = static_cast<std::uint32_t>(kept_.size()); k < predicates_.size(); ++k) kept_.push_back(k);
   std::vector<std::uint32_t> lowest(kept_.size(), kNone);
-  for (std::uint32_t i = 0; i < kept_.size(); ++i)
-    if (lowest[kept_[i]] == kNone) lowest[kept_[i]] = i;
+  for (std::uint32_t i = 0; i < kept_.size(); ++i) {
+    if (kept_[i] != kNone) kept_[i] = kept_[kept_[i]];
+    if (kept_[i] != kNone && lowest[kept_[i]] == kNone) lowest[kept_[i]] = i;
+  }
   const auto renamed = [&](std::uint32_t v) { return v == kNone ? v : lowest[v]; };
   for (std::uint32_t& k : kept_) k = renamed(k);
   for (std::uint32_t cell = 0; cell < cells_.size(); ++cell) {

@@ -46,6 +46,14 @@ const char* broken_cell(const DelaunayCore<D, P>& core, std::uint32_t cell) {
   return nullptr;
 }
 
+/// Every hidden site is above the hull. REQUIRES: the rest is sound.
+template <std::size_t D, class P>
+std::string wrongly_hidden(const DelaunayCore<D, P>& core) {
+  for (std::uint32_t i = 0; i < core.predicates().size(); ++i)
+    if (core.kept(i) == kNone && !core.is_hidden(i)) return "site " + std::to_string(i) + ": wrongly hidden";
+  return "";
+}
+
 template <std::size_t D, class P>
 std::string verify(const DelaunayCore<D, P>& core) {
   if (core.dimension() < static_cast<int>(D))
@@ -62,7 +70,9 @@ std::string verify(const DelaunayCore<D, P>& core) {
       seen[v] = true;
     }
   }
-  return count == core.vertex_count() ? "" : "a point is no vertex";
+  if (count != core.vertex_count()) return "a point is no vertex";
+  if constexpr (HasHeights<P>) return wrongly_hidden(core);
+  return "";
 }
 
 }  // namespace crossloft::detail

@@ -1,15 +1,22 @@
 #pragma once
-/// Ties of the in-sphere test, broken by perturbing the lift.
+/// Ties of the in-sphere and the power test, broken by perturbing the lift.
 ///
-/// Each point is lifted to the height |x|^2 + eps^rank, rank 1, 2, .. from the lexicographically largest
-/// point down, eps > 0 infinitely small. For a positive simplex s and a point e with barycentric coordinates
-/// l_i in s, e is inside iff its height is below the hyperplane through the lifted s:
-///     |e|^2 + eps^rank(e) < sum l_i (|s_i|^2 + eps^rank(s_i)).
+/// Each point is lifted to the height h(x) + eps^rank, h(x) = |x|^2 for plain points, rank 1, 2, .. from the
+/// lexicographically largest point down, eps > 0 infinitely small. For a positive simplex s and a point e
+/// with barycentric coordinates l_i in s, e is inside iff its height is below the hyperplane through the
+/// lifted s:
+///     h(e) + eps^rank(e) < sum l_i (h(s_i) + eps^rank(s_i)).
 /// If the unperturbed sides are equal, the point of smallest rank with a coefficient other than 0 decides:
 /// for e the left side is larger, it is outside; for s_i the sign is that of l_i, which is that of orient(s
 /// with s_i replaced by e), because orient(s) > 0. Heights alone change, so points stay where they are and
-/// flat stays flat; some l_i is not 0, so there is always an answer. Source: Devillers and Teillaud,
-/// Perturbations for Delaunay and weighted Delaunay 3D triangulations (2011).
+/// flat stays flat; some l_i is not 0, so there is always an answer.
+///
+/// *Sites with heights of their own* may be hidden. If e lies in s and exactly on its hyperplane, all l_i >=
+/// 0, and the largest point of those with l_i > 0 comes after e, which is a mean of them: e is below and
+/// becomes a vertex. So ties hide nothing, and every site on the hull is a vertex whatever the order of
+/// insertion. Two sites in one place have one rank: the sum is l_k = 1 for one k, the test compares their
+/// heights, and equal ones are one site (the triangulation asks for equality first). Source: Devillers and
+/// Teillaud, Perturbations for Delaunay and weighted Delaunay 3D triangulations (2011).
 
 #include <array>
 #include <cstddef>
@@ -29,13 +36,48 @@ template <class P>
 int orient(const P& p, const Simplex<2>& s) {
   return p.orient2d(s[0], s[1], s[2]);
 }
+
+/// Sites with heights of their own (PowerPredicates3), not plain points.
+template <class P>
+concept HasHeights = requires(const P& p, std::uint32_t i) {
+  p.compare_height(i, i);
+};
+
 template <class P>
 int raw_in_ball(const P& p, const Simplex<3>& s, std::uint32_t e) {
-  return p.insphere(s[0], s[1], s[2], s[3], e);
+  if constexpr (HasHeights<P>) {
+    return p.power_test(s[0], s[1], s[2], s[3], e);
+  } else {
+    return p.insphere(s[0], s[1], s[2], s[3], e);
+  }
 }
 template <class P>
 int raw_in_ball(const P& p, const Simplex<2>& s, std::uint32_t e) {
-  return p.incircle(s[0], s[1], s[2], e);
+  if constexpr (HasHeights<P>) {
+    return p.power_test(s[0], s[1], s[2], e);
+  } else {
+    return p.incircle(s[0], s[1], s[2], e);
+  }
+}
+
+/// REQUIRES: equal positions.
+template <class P>
+bool equal_heights(const P& p, std::uint32_t a, std::uint32_t b) {
+  if constexpr (HasHeights<P>) {
+    return p.compare_height(a, b) == 0;
+  } else {
+    return true;
+  }
+}
+
+/// True iff the points lie on one line.
+template <class P>
+bool collinear(const P& p, std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+  if constexpr (HasHeights<P>) {
+    return p.orient2d(a, b, c, 0) == 0 && p.orient2d(a, b, c, 1) == 0 && p.orient2d(a, b, c, 2) == 0;
+  } else {
+    return p.collinear(a, b, c);
+  }
 }
 
 template <std::size_t N>

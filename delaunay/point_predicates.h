@@ -43,6 +43,40 @@ concept PointPredicates2 = requires(const P& p, std::uint32_t i, int axis) {
   { p.compare_lex(i, i) } -> std::same_as<int>;
 };
 
+/// Sites 0..size()-1 in space, each a position and a height: what the lower hull of the lifted sites
+/// (position, height) is made from. For weighted points the height is |x|^2 - w; nothing here assumes so: any
+/// rows (X, Y, Z, H) will do, as those of a diagram whose sites became linear functions. Adding a linear
+/// function of the position to all heights changes no answer.
+///   coordinate(i, axis)      of the position; rounded, equal for equal ones; used for ordering only;
+///   orient3d(a, b, c, d)     sign of det(b-a, c-a, d-a) of the positions;
+///   power_test(a, b, c, d, e)  +1 if lifted e is strictly below the hyperplane through the lifted a, b, c,
+///   d, 0 on
+///                            it, when orient3d(a, b, c, d) > 0; the sign flips with the orientation;
+///   compare_lex(a, b)        of the positions alone, 0 iff they are equal;
+///   compare_height(a, b)     -1 if a is lower. Asked for sites of equal position only.
+/// And where all positions are on one plane or line, all of which is still exact:
+///   orient2d(a, b, c, drop)  of the projection along axis `drop`: +1 if counter-clockwise, with the axes
+///                            (drop + 1) % 3 and (drop + 2) % 3 in this order;
+///   power_test2d(a, b, c, d, drop)  +1 if lifted d is strictly below the plane through the lifted a, b, c,
+///   when
+///                            orient2d(a, b, c, drop) > 0; the sign flips with the orientation. Asked for
+///                            coplanar positions only, with an axis that keeps the plane a plane;
+///   power_test1d(a, b, c)    +1 if lifted c is strictly below the line through the lifted a and b, whatever
+///   their
+///                            order. Asked for collinear positions only, those of a and b different.
+template <class P>
+concept PowerPredicates3 = requires(const P& p, std::uint32_t i, int axis) {
+  { p.size() } -> std::convertible_to<std::uint32_t>;
+  { p.coordinate(i, axis) } -> std::convertible_to<double>;
+  { p.orient3d(i, i, i, i) } -> std::same_as<int>;
+  { p.power_test(i, i, i, i, i) } -> std::same_as<int>;
+  { p.compare_lex(i, i) } -> std::same_as<int>;
+  { p.compare_height(i, i) } -> std::same_as<int>;
+  { p.orient2d(i, i, i, axis) } -> std::same_as<int>;
+  { p.power_test2d(i, i, i, i, axis) } -> std::same_as<int>;
+  { p.power_test1d(i, i, i) } -> std::same_as<int>;
+};
+
 /// PointPredicates2 that also measures: what conforming edge recovery needs to place its splits.
 ///   squared_distance(a, b)   Euclidean, rounded, symmetric in a and b.
 template <class P>
