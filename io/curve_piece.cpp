@@ -1,0 +1,159 @@
+#include "curve_piece.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace crossloft {
+namespace {
+
+/// A side of a box: one coordinate is fixed, the other runs from low to high.
+struct Side {
+  bool upright;  ///< x is the fixed one
+  double value, low, high;
+
+  double across(Vec2 p) const { return upright ? p.x : p.y; }
+  double along(Vec2 p) const { return upright ? p.y : p.x; }
+  Vec2 point(double along) const { return upright ? Vec2{value, along} : Vec2{along, value}; }
+  bool has(double along) const { return along >= low && along <= high; }
+};
+
+std::array<Side, 4> sides_of(const ViewBox& box) {
+  return {{{true, box.low.x, box.low.y, box.high.y},
+           {true, box.high.x, box.low.y, box.high.y},
+           {false, box.low.y, box.low.x, box.high.x},
+           {false, box.high.y, box.low.x, box.high.x}}};
+}
+
+bool contains(const ViewBox& box, Vec2 p) {
+  return p.x > box.low.x && p.x < box.high.x && p.y > box.low.y && p.y < box.high.y;
+}
+
+/// The point of the circle half way from `from` to `to`: at right angles to the chord, on the side that the
+/// direction says, whatever the length of the arc.
+Vec2 arc_middle(Vec2 from, Vec2 to, Vec2 centre, double radius, bool ccw) {
+  const Vec2 chord = to - from;
+  const double length = std::sqrt(dot(chord, chord));
+  if (!(length > 0)) return from;
+  const double scale = (ccw ? radius : -radius) / length;
+  return centre + Vec2{scale * chord.y, -scale * chord.x};
+}
+
+bool is_short(Vec2 from, Vec2 to, Vec2 centre, double radius, bool ccw) {
+  const Vec2 a = from - centre, b = to - centre;
+  const double sine = ccw ? cross(a, b) : cross(b, a);
+  return sine >= 0 && dot(a, b) >= -0.5 * radius * radius;
+}
+
+void cut_segment(const CurvePiece& piece, const Side& side, std::vector<Vec2>& cuts) {
+  const double from = side.across(piece.from), to = side.across(piece.to);
+  if ((from < side.value) == (to < side.value)) return;
+  const double t = (side.value - from) / (to - from);
+  const double along = side.along(piece.from) + t * (side.along(piece.to) - side.along(piece.from));
+  if (side.has(along)) cuts.push_back(side.point(along));
+}
+
+void cut_arc(const CurvePiece& piece, const Side& side, std::vector<Vec2>& cuts) {
+  const double d = side.value - side.across(piece.centre);
+  const double square = (piece.radius - d) * (piece.radius + d);
+  if (!(square >= 0)) return;
+  const double half = std::sqrt(square);
+  for (const double along : {side.along(piece.centre) - half, side.along(piece.centre) + half}) {
+    const Vec2 at = side.point(along), a = piece.from - piece.centre, b = piece.to - piece.centre,
+               c = at - piece.centre;
+    const bool on_arc =
+        piece.ccw ? cross(a, c) >= 0 && cross(c, b) >= 0 : cross(a, c) <= 0 && cross(c, b) <= 0;
+    if (on_arc && side.has(along)) cuts.push_back(at);
+  }
+}
+
+/// The piece's crossings with the border, in the order in which it meets them, between its ends.
+std::vector<Vec2> cut_points(const CurvePiece& piece, const ViewBox& box) {
+  std::vector<Vec2> cuts;
+  for (const Side& side : sides_of(box))
+    piece.is_line ? cut_segment(piece, side, cuts) : cut_arc(piece, side, cuts);
+  // Along the chord points keep their order, since the piece is no longer than half a turn.
+  const Vec2 chord = piece.to - piece.from;
+  std::stable_sort(cuts.begin(), cuts.end(),
+                   [chord](Vec2 a, Vec2 b) { return dot(chord, a) < dot(chord, b); });
+  cuts.insert(cuts.begin(), piece.from);
+  cuts.push_back(piece.to);
+  // A border that is only touched is not crossed; but a piece of no length stays a piece.
+  if (cuts.size() > 2) cuts.erase(std::unique(cuts.begin(), cuts.end()), cuts.end());
+  if (cuts.size() == 1) cuts.push_back(piece.to);
+  return cuts;
+}
+
+}  // namespace
+
+CurvePiece reversed(const CurvePiece& piece) {
+  CurvePiece back = piece;
+  std::swap(back.from, back.to);
+  back.ccw = !piece.ccw;
+  return back;
+}
+
+Vec2 middle(const CurvePiece& piece) {
+  if (piece.is_line) return 0.5 * (piece.from + piece.to);
+  return arc_middle(piece.from, piece.to, piece.centre, piece.radius, piece.ccw);
+}
+
+void append_arc(Vec2 from, Vec2 to, Vec2 centre, double radius, bool ccw, std::vector<CurvePiece>& pieces) {
+  if (is_short(from, to, centre, radius, ccw)) {
+    pieces.push_back({from, to, false, centre, radius, ccw});
+    return;
+  }
+  // A whole turn less a hair halves to 180 degrees and then to 90: two levels are enough.
+  const Vec2 half = arc_middle(from, to, centre, radius, ccw);
+  append_arc(from, half, centre, radius, ccw, pieces);
+  append_arc(half, to, centre, radius, ccw, pieces);
+}
+
+void append_circle(Vec2 centre, double radius, bool ccw, std::vector<CurvePiece>& pieces) {
+  const double step = ccw ? radius : -radius;
+  const std::array<Vec2, 5> corners = {centre + Vec2{radius, 0}, centre + Vec2{0, step},
+                                       centre - Vec2{radius, 0}, centre - Vec2{0, step},
+                                       centre + Vec2{radius, 0}};
+  for (std::size_t i = 0; i < 4; ++i)
+    pieces.push_back({corners[i], corners[i + 1], false, centre, radius, ccw});
+}
+
+Vec2 far_along(Vec2 point, Vec2 direction, const ViewBox& box) {
+  const Vec2 centre = 0.5 * (box.low + box.high), size = box.size();
+  const double forth = dot(direction, centre - point);
+  return point + (std::max(forth, 0.0) + 2 * (size.x + size.y)) * direction;
+}
+
+std::vector<CurveRun> clip(std::span<const CurvePiece> curve, const ViewBox& box) {
+  std::vector<CurveRun> runs;
+  bool inside = false, first = true;
+  for (const CurvePiece& piece : curve) {
+    const std::vector<Vec2> points = cut_points(piece, box);
+    for (std::size_t i = 0; i + 1 < points.size(); ++i, first = false) {
+      CurvePiece part = piece;
+      part.from = points[i];
+      part.to = points[i + 1];
+      const bool was_inside = std::exchange(inside, contains(box, middle(part)));
+      if (inside && !was_inside) runs.push_back({{}, !first, false});
+      if (inside) runs.back().pieces.push_back(part);
+      if (!inside && was_inside) runs.back().leaves = true;
+    }
+  }
+  return runs;
+}
+
+double border_position(Vec2 point, const ViewBox& box) {
+  const Vec2 size = box.size();
+  const double x = std::clamp((point.x - box.low.x) / size.x, 0.0, 1.0);
+  const double y = std::clamp((point.y - box.low.y) / size.y, 0.0, 1.0);
+  const std::array<double, 4> gaps = {y, 1 - x, 1 - y, x};
+  const std::array<double, 4> positions = {x, 1 + y, 3 - x, 4 - y};
+  return positions[static_cast<std::size_t>(std::min_element(gaps.begin(), gaps.end()) - gaps.begin())];
+}
+
+Vec2 border_corner(unsigned position, const ViewBox& box) {
+  return {position == 1 || position == 2 ? box.high.x : box.low.x, position >= 2 ? box.high.y : box.low.y};
+}
+
+}  // namespace crossloft
