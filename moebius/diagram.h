@@ -57,4 +57,8 @@ MoebiusCurve moebius_curve(const MoebiusSite& i, const MoebiusSite& j);
 /// Expected O(n log n) plus the tetrahedra of the regular triangulation of the lifted sites, at worst O(n^2).
 Result<MoebiusDiagram> moebius_diagram(std::span<const MoebiusSite> sites);
 
+/// Empty if sound, else the first broken invariant: three arcs at a vertex, of three sites, and one border of each of their cells passes
+/// through it; indices in range, two different sites at an arc; ends at infinity only on lines; ends on their curves within rounding.
+std::string verify(const MoebiusDiagram& diagram);
+
 }  // namespace crossloft
