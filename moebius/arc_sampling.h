@@ -1,0 +1,21 @@
+#pragma once
+/// Points along the arcs of a diagram.
+
+#include <vector>
+
+#include "../geom/vec2.h"
+#include "face_diagram.h"
+
+namespace crossloft {
+
+/// { low <= x <= high } per axis.
+struct Box2 {
+  Vec2 low, high;
+};
+
+/// Appends points of the arc at equal steps, consecutive ones at most `spacing` apart, both (finite) ends
+/// included, from `from` to `to`; only those in the box. Equal steps come from halving, so they may be half
+/// as long as asked. Only + - * / sqrt. REQUIRES: spacing > 0. O(points), also for arcs that leave the box.
+void sample_arc(const FaceArc& arc, double spacing, const Box2& box, std::vector<Vec2>& points);
+
+}  // namespace crossloft
