@@ -64,15 +64,20 @@ inline Estimate incircle(Vec2 p, Vec2 q, Vec2 r, double lp, double lq, double lr
   return {det, largest(p.x, q.x, r.x), largest(p.y, q.y, r.y), 1, std::max(std::max(lp, lq), lr)};
 }
 
-inline Estimate insphere(const Vec3& p, const Vec3& q, const Vec3& r, const Vec3& s) {
+/// The lifts come from outside, the largest last: they may be sums with weights.
+inline Estimate insphere(const Vec3& p, const Vec3& q, const Vec3& r, const Vec3& s, double lp, double lq,
+                         double lr, double ls, double largest_lift) {
   const double pq = det2(p.x, p.y, q.x, q.y), qr = det2(q.x, q.y, r.x, r.y), rs = det2(r.x, r.y, s.x, s.y);
   const double sp = det2(s.x, s.y, p.x, p.y), pr = det2(p.x, p.y, r.x, r.y), qs = det2(q.x, q.y, s.x, s.y);
   const double pqr = (p.z * qr - q.z * pr) + r.z * pq, qrs = (q.z * rs - r.z * qs) + s.z * qr;
   const double rsp = (r.z * sp + s.z * pr) + p.z * rs, spq = (s.z * pq + p.z * qs) + q.z * sp;
-  const double lp = dot(p, p), lq = dot(q, q), lr = dot(r, r), ls = dot(s, s);
   return {(lp * qrs - lq * rsp) + (lr * spq - ls * pqr), largest(p.x, q.x, r.x, s.x),
-          largest(p.y, q.y, r.y, s.y), largest(p.z, q.z, r.z, s.z),
-          std::max(std::max(lp, lq), std::max(lr, ls))};
+          largest(p.y, q.y, r.y, s.y), largest(p.z, q.z, r.z, s.z), largest_lift};
+}
+
+inline Estimate insphere(const Vec3& p, const Vec3& q, const Vec3& r, const Vec3& s) {
+  const double lp = dot(p, p), lq = dot(q, q), lr = dot(r, r), ls = dot(s, s);
+  return insphere(p, q, r, s, lp, lq, lr, ls, std::max(std::max(lp, lq), std::max(lr, ls)));
 }
 
 }  // namespace crossloft::filters

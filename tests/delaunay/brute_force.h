@@ -1,5 +1,5 @@
 #pragma once
-/// Delaunay triangulations straight from the definition, with the perturbation as numbers.
+/// Delaunay and regular triangulations straight from the definition, with the perturbation as numbers.
 
 #include <gmpxx.h>
 
@@ -12,7 +12,7 @@
 
 namespace brute_force {
 
-/// Points as integers, lifted to |x|^2 + 2^(-kShift rank), rank 1 for the lexicographically largest,
+/// Points as integers, lifted to |x|^2 - weight + 2^(-kShift rank), rank 1 for the lexicographically largest,
 /// everything scaled by 2^(kShift n). REQUIRES: distinct explicit points, sorted, coordinates below 2^12 or
 /// so: then the power of two is smaller than any quotient of minors.
 template <std::size_t D>
@@ -20,7 +20,7 @@ class Lifted {
  public:
   static constexpr unsigned kShift = 96;
 
-  explicit Lifted(const std::vector<crossloft::LatticePoint>& sorted) {
+  explicit Lifted(const std::vector<crossloft::LatticePoint>& sorted, const std::vector<int>& weights = {}) {
     for (std::size_t i = 0; i < sorted.size(); ++i) {
       const crossloft::LatticeVector v = to_vector(sorted[i]);
       Row row;
@@ -28,6 +28,7 @@ class Lifted {
         row[k] = v[k];
         row[D] += row[k] * row[k];
       }
+      if (!weights.empty()) row[D] -= weights[i];
       row[D] = (row[D] << kShift * sorted.size()) + (mpz_class(1) << kShift * i);
       rows_.push_back(row);
     }
