@@ -6,6 +6,7 @@
 
 #include "../../geom/double_filters.h"
 #include "../../geom/lattice_filters.h"
+#include "../../geom/weighted_filters.h"
 
 using namespace crossloft;
 
@@ -39,6 +40,14 @@ Tracked lift(bool rounded_differences, int squares) {
   if (rounded_differences) growth *= away * away;  // d = computed * (1 + e), |e| <= u, backwards
   for (int i = 1; i < squares; ++i) growth *= 1 + kUnit;
   return {1, growth * growth - growth};  // |L_c - L| <= (growth - 1) L <= (growth - 1) growth L_c, generously
+}
+
+/// A lift with a weight, the largest computed |d|^2 + |v| as unit. All of it in |d|^2, the less exact part,
+/// is the worst case.
+Tracked weighted_lift() {
+  const mpq_class unit_error = 1 / (1 - kUnit);  // the unit's own rounding
+  const Tracked square{unit_error, lift(true, 3).error * unit_error};
+  return rounded(square.size, square.error);
 }
 
 Tracked det2_of(const Tracked& d) { return d * d - d * d; }
@@ -80,6 +89,12 @@ TEST_CASE("constants on plain doubles: rounded differences") {
   check_constant(filters::kRoundedInsphereError, insphere_of(kRounded, lift(true, 3)));
 }
 
+TEST_CASE("constants on weighted points: lifts that cancel") {
+  check_constant(filters::kPower2dError, incircle_of(kRounded, weighted_lift()));
+  check_constant(filters::kPower3dError, insphere_of(kRounded, weighted_lift()));
+  CHECK(lift(true, 3).error > kUnit);  // the square is the less exact part
+}
+
 TEST_CASE("constant of side_of_plane: three terms that sum to the unit") {
   // Products round by u of the whole together; the two sums are at most the whole.
   Tracked sum{1, 0};
@@ -103,6 +118,8 @@ TEST_CASE("blur: coordinates of rational points and their differences") {
 TEST_CASE("range of the filter on doubles") {
   const double low = filters::kSmallest, high = filters::kLargest;
   CHECK(24 * 3 * high * high * high * high * high < 0x1p+1000);
+  CHECK(filters::kLargestLift >= 3 * high * high);
+  CHECK(24 * filters::kLargestLift * high * high * high < 0x1p+1000);
   // 100 underflows, each times three entries and a lift of the largest size, within the room of the least
   // bound.
   const double room = filters::kRoundedOrient3dError * 0x1p-49;
@@ -122,5 +139,10 @@ TEST_CASE("undecided on NaN, infinity and out of range") {
     CHECK(insphere_filter(a, b, c, d, Vec3{bad, bad, bad}) == 0);
     CHECK(orient2d_filter(Vec2{0, 0}, Vec2{bad, 0}, Vec2{0, bad}) == 0);
     CHECK(incircle_filter(Vec2{0, 0}, Vec2{bad, 0}, Vec2{0, bad}, Vec2{1, bad}) == 0);
+    CHECK(power_test_filter({a, 0}, {b, 0}, {c, 0}, {d, 0}, {{bad, bad, bad}, 0}) == 0);
+    CHECK(power_test2d_filter({a, 0}, {b, 0}, {c, 0}, {{bad, bad, 0}, 0}, 2) == 0);
+    if (std::fabs(bad) < 1) continue;  // a small weight is no trouble
+    CHECK(power_test_filter({{1, 0, 0}, bad}, {{0, 1, 0}, 0}, {{0, 0, 1}, 0}, {{1, 1, 1}, 0}, {a, 0}) == 0);
+    CHECK(power_test2d_filter({{1, 0, 0}, bad}, {{0, 1, 0}, 0}, {{1, 1, 1}, 0}, {a, 0}, 2) == 0);
   }
 }
