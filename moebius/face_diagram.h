@@ -13,8 +13,8 @@
 /// A Voronoi vertex is inside the surface or not; that one bit per tetrahedron and face, rounded or not,
 /// decides the structure. So arcs always fit together: where three of them meet, they end at the same bits.
 
+#include <algorithm>
 #include <array>
-#include <bit>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -23,22 +23,23 @@
 #include "../geom/lattice.h"
 #include "diagram.h"
 #include "face_frame.h"
+#include "facet_cut.h"
+#include "voronoi_facet.h"
 
 namespace crossloft {
 
 /// A piece of a face's diagram, in the face's frame. Walked from `from` to `to`, the cell of sites[0] is on
 /// the left; on a circle that is counter-clockwise iff sites[0] is the lower one.
 struct FaceArc {
-  std::array<std::uint32_t, 2> sites{};  ///< vertices of the cell
+  std::array<std::uint32_t, 2> sites{};  ///< vertices of the cell, ascending
   MoebiusCurve curve;
   Vec2 from, to;                                    ///< equal on a whole circle; anything at an infinite end
   bool whole = false;                               ///< the whole circle
   bool from_infinite = false, to_infinite = false;  ///< only on a line
 };
 
-/// The curve of equal tangent spheres of i and j, its line directed with i on the left. REQUIRES: the sites
-/// differ.
-MoebiusCurve tangent_curve(const FaceSite& i, const FaceSite& j);
+/// Order by sites, then ends; within a face's diagram it is total.
+bool before(const FaceArc& a, const FaceArc& b);
 
 /// What the diagrams are made of; the spans must outlive the object that reads them.
 struct CellSites {
@@ -51,32 +52,80 @@ struct CellSites {
 };
 
 /// Reads off diagrams, 64 faces at a time: those of one word of CellSites::on_faces.
-/// REQUIRES: all points on the planes or on the cells' sides of them.
+/// REQUIRES: all points on the planes or on the cell's sides of them.
 class CellDiagrams {
  public:
   /// O(tetrahedra): decides for each which faces its Voronoi vertex is inside of.
-  CellDiagrams(const CellSites& sites, std::uint32_t word = 0);
+  explicit CellDiagrams(const CellSites& sites, std::uint32_t word = 0);
 
   /// Appends the arcs between the pairs that are wanted: wanted(a, b), a < b, is the set of faces (bits of
   /// this word) whose arcs between a and b are asked for; it may be called several times for a pair and must
   /// answer the same. arcs[f] belongs to face 64 word + f. Sorted by sites, then ends: a function of the
-  /// numbered points alone. Time: the tetrahedra, plus those around the edges that are wanted, plus the arcs.
+  /// numbered points alone. Time: the tetrahedra, those around the edges that are wanted, the arcs.
   template <class Wanted>
   void arcs(Wanted&& wanted, std::span<std::vector<FaceArc>> arcs);
 
+  /// Faces of the word.
+  std::uint32_t face_count() const { return face_count_; }
+  /// Faces of the word that the vertex is on.
+  std::uint64_t on(std::uint32_t vertex) const {
+    return sites_.on_faces[std::size_t{vertex} * sites_.words + word_] & all_;
+  }
   FaceSite site(std::uint32_t vertex, std::uint32_t face) const {
     return {frame(face).to_plane(sites_.points[vertex]), height(vertex, face)};
   }
 
  private:
+  using Arcs = std::span<std::vector<FaceArc>>;
+
   const FaceFrame& frame(std::uint32_t face) const { return sites_.faces[64 * std::size_t{word_} + face]; }
+  Vec3 point(std::uint32_t v) const { return to_vec3(sites_.points[v]); }
   double height(std::uint32_t v, std::uint32_t face) const {
     return heights_[std::size_t{v} * face_count_ + face];
   }
+  bool is_on(std::uint32_t v, std::uint32_t face) const { return (on(v) >> face & 1) != 0; }
+
+  void measure_heights();
+  std::uint64_t inside_of(std::uint32_t tet) const;
+  /// Faces whose arcs between the two vertices (slots) of a tetrahedron may begin or end at its Voronoi
+  /// vertex.
+  std::uint64_t open_faces(std::uint32_t tet, std::size_t edge) const;
+  void edge_arcs(std::uint32_t tet, std::size_t edge, std::uint64_t wanted, Arcs arcs);
+  void face_arcs(std::uint32_t face, std::vector<FaceArc>& arcs);
+  void whole_circle(std::uint32_t face, std::vector<FaceArc>& arcs) const;
+  void find_passages(std::uint32_t face);
+  Passage passage(const VoronoiSide& side, std::uint32_t face) const;
+  Passage passage_at_infinity(std::uint32_t face) const;
+  bool inside_at(std::uint32_t tet, const VoronoiSide& side, int way, std::uint32_t face) const;
+  bool dips(const VoronoiSide& side, std::uint32_t face) const;
+  Vec2 crossing(const FacetCrossing& at, std::uint32_t face) const;
 
   CellSites sites_;
   std::uint32_t word_ = 0, face_count_ = 0;
+  std::uint64_t all_ = 0;
   std::vector<double> heights_;  ///< face_count_ per point
+  std::vector<std::uint64_t>
+      inside_;                      ///< per tetrahedron: faces whose surface its Voronoi vertex is inside of
+  std::vector<std::uint8_t> done_;  ///< per tetrahedron: its edges that have been walked around
+  // Of the facet at hand:
+  VoronoiFacet facet_;
+  std::vector<Passage> passages_;
+  std::vector<FacetArc> cut_;
 };
+
+template <class Wanted>
+void CellDiagrams::arcs(Wanted&& wanted, std::span<std::vector<FaceArc>> arcs) {
+  done_.assign(sites_.mesh->size(), 0);
+  for (std::uint32_t t = 0; t < sites_.mesh->size(); ++t)
+    for (std::size_t e = 0; e < kEdgeSlots.size(); ++e) {
+      const std::uint64_t open = done_[t] >> e & 1 ? 0 : open_faces(t, e);
+      if (open == 0) continue;
+      const auto& v = sites_.mesh->vertices[t];
+      const std::uint32_t a = v[kEdgeSlots[e][0]], b = v[kEdgeSlots[e][1]];
+      const std::uint64_t faces = wanted(std::min(a, b), std::max(a, b));
+      if ((open & faces) != 0) edge_arcs(t, e, faces, arcs);
+    }
+  for (std::vector<FaceArc>& list : arcs) std::sort(list.begin(), list.end(), before);
+}
 
 }  // namespace crossloft

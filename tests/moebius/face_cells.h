@@ -1,0 +1,207 @@
+#pragma once
+/// Convex cells with points on their faces, and diagrams judged along scan lines.
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <random>
+#include <vector>
+
+#include "../../delaunay/delaunay3.h"
+#include "../../delaunay/lattice_predicates.h"
+#include "../../moebius/face_diagram.h"
+#include "../../moebius/tangent_spheres.h"
+
+namespace crossloft::test {
+
+struct Cell {
+  std::vector<LatticePlane> planes;
+  std::vector<int> sides;
+  std::vector<FaceFrame> frames;
+  std::vector<LatticePoint> points;
+  std::vector<std::uint64_t> on_faces;
+  TetMesh mesh;
+
+  CellSites sites() const { return {points, &mesh, frames, on_faces, 1}; }
+  bool contains(const LatticePoint& p) const {
+    for (std::size_t f = 0; f < planes.size(); ++f)
+      if (side_of_plane(planes[f], p) == -sides[f]) return false;
+    return true;
+  }
+  void add(const LatticePoint& p) { points.push_back(p); }
+  /// Masks and triangulation of the points added.
+  void finish() {
+    for (const LatticePoint& p : points) {
+      std::uint64_t mask = 0;
+      for (std::size_t f = 0; f < planes.size(); ++f)
+        if (side_of_plane(planes[f], p) == 0) mask |= std::uint64_t{1} << f;
+      on_faces.push_back(mask);
+    }
+    const LatticePredicates3 predicates(points);
+    Delaunay3 triangulation(predicates);
+    triangulation.build();
+    mesh = triangulation.tet_mesh();
+  }
+};
+
+/// The cell of the planes that has the origin inside.
+inline Cell cell_of(std::vector<LatticePlane> planes) {
+  Cell cell;
+  cell.planes = std::move(planes);
+  for (const LatticePlane& p : cell.planes) {
+    cell.sides.push_back(side_of_plane(p, make_point({0, 0, 0})));
+    cell.frames.emplace_back(p, cell.sides.back());
+  }
+  return cell;
+}
+
+inline Cell box_cell(std::int64_t half) {
+  std::vector<LatticePlane> planes;
+  for (int axis = 0; axis < 3; ++axis)
+    for (const std::int64_t at : {-half, half}) planes.push_back(make_axis_plane(axis, at));
+  return cell_of(planes);
+}
+
+/// `count` planes about `distance` from the origin in random directions.
+inline Cell random_cell(std::size_t count, std::int64_t distance, std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  const auto draw = [&](std::int64_t range) {
+    return static_cast<std::int64_t>(random() % static_cast<std::uint64_t>(2 * range + 1)) - range;
+  };
+  std::vector<LatticePlane> planes;
+  while (planes.size() < count) {
+    const LatticeVector e1{draw(50), draw(50), draw(50)}, e2{draw(50), draw(50), draw(50)}, n = cross(e1, e2);
+    const double length = norm(to_vec3(make_point(n)));
+    if (length < 500) continue;
+    LatticeVector origin{};
+    for (std::size_t k = 0; k < 3; ++k)
+      origin[k] =
+          static_cast<std::int64_t>(static_cast<double>(distance) * static_cast<double>(n[k]) / length);
+    planes.push_back(make_lattice_plane(origin, e1, e2));
+  }
+  return cell_of(planes);
+}
+
+/// About n random points on each face, at most `reach` steps of e1 and e2 from its origin.
+inline void scatter(Cell& cell, std::size_t n, std::int64_t reach, std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  const auto draw = [&] {
+    return static_cast<std::int64_t>(random() % static_cast<std::uint64_t>(2 * reach + 1)) - reach;
+  };
+  for (const LatticePlane& plane : cell.planes)
+    for (std::size_t left = n, tries = 0; left > 0 && tries < 100 * n; ++tries) {
+      const std::int64_t u = draw(), v = draw();
+      LatticeVector p{};
+      for (std::size_t k = 0; k < 3; ++k) p[k] = plane.origin[k] + u * plane.e1[k] + v * plane.e2[k];
+      if (!cell.contains(make_point(p))) continue;
+      cell.add(make_point(p));
+      --left;
+    }
+}
+
+using Diagrams = std::vector<std::vector<FaceArc>>;
+
+inline Diagrams all_arcs(const Cell& cell) {
+  CellDiagrams diagrams(cell.sites());
+  Diagrams arcs(cell.planes.size());
+  diagrams.arcs([](std::uint32_t, std::uint32_t) { return ~std::uint64_t{0}; }, arcs);
+  return arcs;
+}
+
+/// The sites of a face by vertex; height 0 on the face.
+inline std::vector<FaceSite> sites_of(const Cell& cell, std::uint32_t face) {
+  const CellDiagrams diagrams(cell.sites());
+  std::vector<FaceSite> sites;
+  for (std::uint32_t v = 0; v < cell.points.size(); ++v) sites.push_back(diagrams.site(v, face));
+  return sites;
+}
+
+/// By brute force; ties go to the lowest vertex.
+inline std::uint32_t nearest(const std::vector<FaceSite>& sites, Vec2 a) {
+  std::uint32_t best = kNone;
+  for (std::uint32_t v = 0; v < sites.size(); ++v)
+    if (sites[v].height > 0 &&
+        (best == kNone || tangent_radius(sites[v], a) < tangent_radius(sites[best], a)))
+      best = v;
+  return best;
+}
+
+/// A scan line crosses an arc: the cells before and behind it.
+struct ScanCrossing {
+  double x;
+  std::uint32_t before, behind;
+};
+
+inline bool on_arc(const FaceArc& arc, Vec2 p) {
+  if (arc.whole) return true;
+  if (arc.curve.is_line)
+    return (arc.from_infinite || dot(p - arc.from, arc.curve.direction) >= 0) &&
+           (arc.to_infinite || dot(arc.to - p, arc.curve.direction) >= 0);
+  return cross(arc.to - arc.from, p - arc.from) < 0;  // counter-clockwise: to the right of the chord
+}
+
+/// All crossings of the line { y } with the arcs, left to right. `sites` tell which circles run clockwise.
+inline std::vector<ScanCrossing> scan(const std::vector<FaceArc>& arcs, const std::vector<FaceSite>& sites,
+                                      double y) {
+  std::vector<ScanCrossing> crossings;
+  for (const FaceArc& arc : arcs) {
+    const auto [i, j] = arc.sites;
+    const auto cross_at = [&](double x, bool upwards) {
+      crossings.push_back({x, upwards ? i : j, upwards ? j : i});
+    };
+    const MoebiusCurve& curve = arc.curve;
+    if (curve.is_line) {
+      const double x = curve.centre.x + (y - curve.centre.y) / curve.direction.y * curve.direction.x;
+      if (on_arc(arc, {x, y})) cross_at(x, curve.direction.y > 0);
+      continue;
+    }
+    const bool ccw = sites[i].height < sites[j].height;
+    FaceArc turned = arc;
+    if (!ccw) std::swap(turned.from, turned.to);
+    const double dy = y - curve.centre.y, square = (curve.radius - dy) * (curve.radius + dy);
+    if (square <= 0) continue;
+    for (const double way : {-1.0, 1.0}) {
+      const double x = curve.centre.x + way * std::sqrt(square);
+      if (on_arc(turned, {x, y})) cross_at(x, (way > 0) == ccw);
+    }
+  }
+  std::sort(crossings.begin(), crossings.end(), [](const auto& a, const auto& b) { return a.x < b.x; });
+  return crossings;
+}
+
+/// Checks `lines` scan lines through the square |x|, |y| <= reach: between crossings the nearest site is the
+/// one that the arcs on both sides name. Gaps below `tolerance` are passed over. Returns the number of gaps
+/// checked.
+inline std::size_t check_by_scan(const std::vector<FaceArc>& arcs, const std::vector<FaceSite>& sites,
+                                 double reach, std::size_t lines, double tolerance) {
+  std::size_t checked = 0, wrong = 0;
+  for (std::size_t k = 0; k < lines; ++k) {
+    const double y =
+        reach * (2 * (static_cast<double>(k) + 0.3819660112501051) / static_cast<double>(lines) - 1);
+    std::vector<ScanCrossing> crossings = scan(arcs, sites, y);
+    // Below every line there is some cell at both ends.
+    const auto check = [&](double from, double to, std::uint32_t cell) {
+      if (to - from < tolerance) return;
+      ++checked;
+      const Vec2 middle{0.5 * (from + to), y};
+      const std::uint32_t best = nearest(sites, middle);
+      const double here = tangent_radius(sites[cell], middle), least = tangent_radius(sites[best], middle);
+      wrong += here > least * (1 + 1e-12);
+    };
+    if (crossings.empty()) continue;
+    check(std::min(-4 * reach, crossings.front().x - reach), crossings.front().x, crossings.front().before);
+    for (std::size_t c = 0; c < crossings.size(); ++c) {
+      const double next =
+          c + 1 < crossings.size() ? crossings[c + 1].x : std::max(4 * reach, crossings[c].x + reach);
+      check(crossings[c].x, next, crossings[c].behind);
+      if (c + 1 < crossings.size() && next - crossings[c].x >= tolerance)
+        wrong += crossings[c].behind != crossings[c + 1].before;
+    }
+  }
+  CHECK(wrong == 0);
+  return checked;
+}
+
+}  // namespace crossloft::test
