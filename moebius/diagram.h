@@ -1,11 +1,12 @@
 #pragma once
-/// Moebius diagrams in the plane: which of the sites (p_i, lambda_i, mu_i) has the least lambda_i |x - p_i|^2 - mu_i.
+/// Moebius diagrams in the plane: which of the sites (p_i, lambda_i, mu_i) has the least lambda_i |x - p_i|^2
+/// - mu_i.
 ///
-/// Equal lambdas give power diagrams, all mu = 0 multiplicatively weighted Voronoi diagrams, both together Voronoi diagrams.
-/// Cells may be disconnected and may have holes. Lifted to (x, |x|^2) the distances are linear functions, so the
-/// diagram is the power diagram of the lifted sites cut by the paraboloid. Source: Boissonnat, Karavelas, On the
-/// combinatorial complexity of Euclidean Voronoi cells and convex hulls of d-dimensional spheres (2003); Boissonnat, Wormser,
-/// Yvinec, Curved Voronoi diagrams (2007).
+/// Equal lambdas give power diagrams, all mu = 0 multiplicatively weighted Voronoi diagrams, both together
+/// Voronoi diagrams. Cells may be disconnected and may have holes. Lifted to (x, |x|^2) the distances are
+/// linear functions, so the diagram is the power diagram of the lifted sites cut by the paraboloid. Source:
+/// Boissonnat, Karavelas, On the combinatorial complexity of Euclidean Voronoi cells and convex hulls of
+/// d-dimensional spheres (2003); Boissonnat, Wormser, Yvinec, Curved Voronoi diagrams (2007).
 
 #include <array>
 #include <cstdint>
@@ -33,11 +34,13 @@ struct MoebiusCurve {
   Vec2 direction;     ///< of the line, of length 1: along the arc from `from` to `to`
 };
 
-/// A piece of the curve of two sites along which no third one is nearer. Walked from `from` to `to`, the cell of
-/// sites[0] is on the left; on a circle that is counter-clockwise iff lambda of sites[0] is the larger one.
+/// A piece of the curve of two sites along which no third one is nearer. Walked from `from` to `to`, the cell
+/// of sites[0] is on the left; on a circle that is counter-clockwise iff lambda of sites[0] is the larger
+/// one.
 struct MoebiusArc {
   std::array<std::uint32_t, 2> sites{};
-  std::uint32_t from = kNone, to = kNone;  ///< vertices; kNone at infinity (only on a line), both on a whole curve
+  std::uint32_t from = kNone,
+                to = kNone;  ///< vertices; kNone at infinity (only on a line), both on a whole curve
   MoebiusCurve curve;
 };
 
@@ -52,13 +55,15 @@ struct MoebiusDiagram {
 /// (lambda p, lambda), and are equally near somewhere.
 MoebiusCurve moebius_curve(const MoebiusSite& i, const MoebiusSite& j);
 
-/// The diagram of the sites. Which cells meet, and where along them, is decided exactly for all finite doubles
-/// whose products do not leave the range of a double; ends of arcs are rounded. Errors: usage for a site that is not finite.
-/// Expected O(n log n) plus the tetrahedra of the regular triangulation of the lifted sites, at worst O(n^2).
+/// The diagram of the sites. Which cells meet, and where along them, is decided exactly for all finite
+/// doubles whose products do not leave the range of a double; ends of arcs are rounded. Errors: usage for a
+/// site that is not finite. Expected O(n log n) plus the tetrahedra of the regular triangulation of the
+/// lifted sites, at worst O(n^2).
 Result<MoebiusDiagram> moebius_diagram(std::span<const MoebiusSite> sites);
 
-/// Empty if sound, else the first broken invariant: three arcs at a vertex, of three sites, and one border of each of their cells passes
-/// through it; indices in range, two different sites at an arc; ends at infinity only on lines; ends on their curves within rounding.
+/// Empty if sound, else the first broken invariant: three arcs at a vertex, of three sites, and one border of
+/// each of their cells passes through it; indices in range, two different sites at an arc; ends at infinity
+/// only on lines; ends on their curves within rounding.
 std::string verify(const MoebiusDiagram& diagram);
 
 }  // namespace crossloft
