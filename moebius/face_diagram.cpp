@@ -49,8 +49,8 @@ CellDiagrams::CellDiagrams(const CellSites& sites, std::uint32_t word) : sites_(
   face_count_ = static_cast<std::uint32_t>(std::min<std::size_t>(faces, 64));
   all_ = face_count_ == 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << face_count_) - 1;
   measure_heights();
-  inside_.reserve(sites.mesh->size());
-  for (std::uint32_t t = 0; t < sites.mesh->size(); ++t) inside_.push_back(inside_of(t));
+  inside_.resize(sites.mesh->size());
+  state_.resize(sites.mesh->size());
 }
 
 /// All points of a parallel face get the same height, whatever their kind rounds to: their arcs are lines
@@ -66,18 +66,27 @@ void CellDiagrams::measure_heights() {
         parallel_height = frame(f).height(make_point(frame(g).plane().origin));
       }
     for (std::uint32_t v = 0; v < sites_.points.size(); ++v)
-      if (!is_on(v, f))
+      if ((on(v) >> f & 1) == 0)
         heights_[std::size_t{v} * face_count_ + f] =
             (on(v) & parallel) != 0 ? parallel_height : frame(f).height(sites_.points[v]);
   }
 }
 
+std::uint64_t CellDiagrams::inside(std::uint32_t tet) {
+  if ((state_[tet] & kKnown) == 0) {
+    inside_[tet] = inside_of(tet);
+    state_[tet] |= kKnown;
+  }
+  return inside_[tet];
+}
+
 /// Inside the surface: the centre is higher over the face than it is far from the vertices. A sphere through
 /// a vertex on the face reaches its plane: outside.
 std::uint64_t CellDiagrams::inside_of(std::uint32_t tet) const {
-  const auto v = ascending(sites_.mesh->vertices[tet]);
-  const std::uint64_t faces = all_ & ~(on(v[0]) | on(v[1]) | on(v[2]) | on(v[3]));
+  const auto& given = sites_.mesh->vertices[tet];
+  const std::uint64_t faces = all_ & ~(on(given[0]) | on(given[1]) | on(given[2]) | on(given[3]));
   if (faces == 0) return 0;
+  const auto v = ascending(given);
   const SphereCentre centre = sphere_centre(point(v[0]), point(v[1]), point(v[2]), point(v[3]));
   const double distance = norm(centre.offset);
   std::uint64_t inside = 0;
@@ -88,33 +97,110 @@ std::uint64_t CellDiagrams::inside_of(std::uint32_t tet) const {
   return inside;
 }
 
-/// At infinity all is outside, but for one direction.
-std::uint64_t CellDiagrams::open_faces(std::uint32_t tet, std::size_t edge) const {
-  const auto &v = sites_.mesh->vertices[tet], &neighbour = sites_.mesh->neighbours[tet];
-  const auto &ends = kEdgeSlots[edge], &others = kEdgeSlots[5 - edge];
-  const std::uint64_t faces = all_ & ~(on(v[ends[0]]) | on(v[ends[1]]));
-  const bool on_hull = neighbour[others[0]] == kNone || neighbour[others[1]] == kNone;
-  return on_hull ? faces : faces & ~inside_[tet];
+/// Not if the facet's corner is inside all surfaces: what crosses one is seen from the next corner. At
+/// infinity all is outside, but for one direction.
+bool CellDiagrams::may_have_arcs(const TetEdge& edge, std::uint64_t faces) {
+  const auto& neighbour = sites_.mesh->neighbours[edge.tet];
+  const auto [c, d] = kEdgeSlots[5 - edge.edge];
+  return neighbour[c] == kNone || neighbour[d] == kNone || (faces & ~inside(edge.tet)) != 0;
 }
 
-void CellDiagrams::edge_arcs(std::uint32_t tet, std::size_t edge, std::uint64_t wanted, Arcs arcs) {
-  facet_.walk(*sites_.mesh, tet, edge);
-  std::uint64_t all_inside = facet_.on_hull ? 0 : ~std::uint64_t{0};
-  for (const EdgeWedge& wedge : facet_.wedges) {
-    all_inside &= inside_[wedge.tet];
-    done_[wedge.tet] = static_cast<std::uint8_t>(done_[wedge.tet] | 1u << wedge.edge);
+void CellDiagrams::edge_arcs(const TetEdge& edge, std::uint64_t faces, Arcs arcs) {
+  facet_.walk(*sites_.mesh, edge.tet, edge.edge);
+  for (const EdgeWedge& wedge : facet_.wedges)
+    state_[wedge.tet] |= static_cast<std::uint8_t>(1u << wedge.edge);
+  cut_sides(faces);
+  std::uint64_t crossed = 0, inside_somewhere = 0;
+  for (const SideCut& cut : cuts_) {
+    crossed |= cut.enters | cut.leaves | cut.dips;
+    inside_somewhere |= cut.inside;
   }
-  const std::uint64_t faces = all_ & wanted & ~all_inside & ~(on(facet_.i) | on(facet_.j));
-  for_each(faces, [&](std::uint32_t f) { face_arcs(f, arcs[f]); });
+  for_each(faces & crossed, [&](std::uint32_t f) { face_arcs(f, arcs[f]); });
+  for_each(faces & ~crossed & ~inside_somewhere, [&](std::uint32_t f) { whole_circle(f, arcs[f]); });
+}
+
+void CellDiagrams::cut_sides(std::uint64_t faces) {
+  cuts_.clear();
+  const auto add = [&](std::uint64_t from, std::uint64_t to) {
+    cuts_.push_back({faces & ~from & to, faces & from & ~to, 0, faces & from & to, std::nullopt});
+  };
+  const auto at_infinity = [&](const VoronoiSide& side, int way) { return straight_up(side, way, faces); };
+  for (const VoronoiSide& side : facet_.sides) {
+    const std::uint64_t from = side.from == kNone ? at_infinity(side, -1) : inside(side.from);
+    const std::uint64_t to = side.to == kNone ? at_infinity(side, 1) : inside(side.to);
+    add(from, to);
+    const std::uint64_t quiet = faces & ~from & ~to & ~on(side.apex);
+    if (quiet != 0) cuts_.back().dips = dips(cuts_.size() - 1, quiet);
+  }
+  if (!facet_.on_hull) return;
+  const std::uint64_t from = at_infinity(facet_.sides.back(), 1), to = at_infinity(facet_.sides.front(), -1);
+  add(from, to);
+  cuts_.back().dips = highest(faces & ~from & ~to);
+}
+
+/// Faces over which the end at infinity of a side is inside: it goes straight up, from the three highest
+/// sites. `way` is -1 for the begin of the side, 1 for its end.
+std::uint64_t CellDiagrams::straight_up(const VoronoiSide& side, int way, std::uint64_t faces) const {
+  std::uint64_t up = 0;
+  for_each(faces, [&](std::uint32_t f) {
+    const double top = height(facet_.i, f);
+    if (height(facet_.j, f) != top || height(side.apex, f) != top) return;
+    const Vec3 i = point(facet_.i);
+    const Vec3 along = cross(point(facet_.j) - i, point(side.apex) - i);
+    up |= std::uint64_t{way * dot(along, frame(f).up()) > 0} << f;
+  });
+  return up;
+}
+
+/// Faces over which i and j alone are the highest sites: the gap at infinity is inside in between.
+std::uint64_t CellDiagrams::highest(std::uint64_t faces) const {
+  const std::uint32_t first = facet_.sides.front().apex, last = facet_.sides.back().apex;
+  std::uint64_t set = 0;
+  for_each(faces, [&](std::uint32_t f) {
+    const double top = height(facet_.i, f);
+    set |= std::uint64_t{height(facet_.j, f) == top && height(first, f) < top && height(last, f) < top} << f;
+  });
+  return set;
+}
+
+const TriangleAxis& CellDiagrams::axis(std::size_t side) {
+  std::optional<TriangleAxis>& axis = cuts_[side].axis;
+  if (!axis) {
+    const auto v = ascending(std::array{facet_.i, facet_.j, facet_.sides[side].apex});
+    axis.emplace(point(v[0]), point(v[1]), point(v[2]));
+  }
+  return *axis;
+}
+
+/// Faces whose surface a side with both ends outside dips into: the middle of the centres of the two tangent
+/// spheres is between the ends, where neither fourth vertex is nearer.
+std::uint64_t CellDiagrams::dips(std::size_t side, std::uint64_t faces) {
+  const TriangleAxis& line = axis(side);
+  const VoronoiSide& ends = facet_.sides[side];
+  const std::uint32_t base = std::min(facet_.i, ends.apex);
+  std::uint64_t set = 0;
+  for_each(faces, [&](std::uint32_t f) {
+    const TangentSpheres spheres(line, frame(f), height(base, f));
+    const auto farther = [&](std::uint32_t w) { return w == kNone || spheres.farther_from_middle(point(w)); };
+    set |= std::uint64_t{spheres.exist() && farther(ends.from_vertex) && farther(ends.to_vertex)} << f;
+  });
+  return set;
 }
 
 void CellDiagrams::face_arcs(std::uint32_t face, std::vector<FaceArc>& arcs) {
-  find_passages(face);
-  cut_.clear();
-  cut_facet(passages_, cut_);
-  if (cut_.empty()) return whole_circle(face, arcs);
+  passages_.clear();
+  for (const SideCut& cut : cuts_) {
+    const auto has = [&](std::uint64_t faces) { return (faces >> face & 1) != 0; };
+    passages_.push_back(has(cut.enters)   ? Passage::enters
+                        : has(cut.leaves) ? Passage::leaves
+                        : has(cut.dips)   ? Passage::dips
+                        : has(cut.inside) ? Passage::inside
+                                          : Passage::outside);
+  }
+  pieces_.clear();
+  cut_facet(passages_, pieces_);
   const MoebiusCurve curve = tangent_curve(site(facet_.i, face), site(facet_.j, face));
-  for (const FacetArc& piece : cut_) {
+  for (const FacetArc& piece : pieces_) {
     FaceArc arc{{facet_.i, facet_.j}, curve, {}, {}, false, false, false};
     arc.from_infinite = piece.from.side == facet_.sides.size();
     arc.to_infinite = piece.to.side == facet_.sides.size();
@@ -124,79 +210,33 @@ void CellDiagrams::face_arcs(std::uint32_t face, std::vector<FaceArc>& arcs) {
   }
 }
 
-/// Without a crossing the circle lies within the facet or outside it, as any one of its points does.
-void CellDiagrams::whole_circle(std::uint32_t face, std::vector<FaceArc>& arcs) const {
-  const FaceSite i = site(facet_.i, face), j = site(facet_.j, face);
-  if (i.height == j.height) return;
-  for (const EdgeWedge& wedge : facet_.wedges)
-    if ((inside_[wedge.tet] >> face & 1) != 0) return;  // all are: the circle would be beyond
-  const Vec2 at = near_point_of_circle(i, j);
-  const Vec3 centre = frame(face).to_space(at) + tangent_radius(i, at) * frame(face).up();
-  const Vec3 to_centre = centre - point(facet_.i);
-  for (const VoronoiSide& side : facet_.sides) {
-    const Vec3 w = point(side.apex) - point(facet_.i);
-    if (!is_on(side.apex, face) && dot(w, w) < 2 * dot(w, to_centre)) return;
-  }
-  arcs.push_back({{facet_.i, facet_.j}, tangent_curve(i, j), at, at, true, false, false});
-}
-
-void CellDiagrams::find_passages(std::uint32_t face) {
-  passages_.clear();
-  for (const VoronoiSide& side : facet_.sides) passages_.push_back(passage(side, face));
-  if (facet_.on_hull) passages_.push_back(passage_at_infinity(face));
-}
-
-Passage CellDiagrams::passage(const VoronoiSide& side, std::uint32_t face) const {
-  if (is_on(side.apex, face)) return Passage::outside;
-  const bool from = inside_at(side.from, side, -1, face), to = inside_at(side.to, side, 1, face);
-  if (from) return to ? Passage::inside : Passage::leaves;
-  if (to) return Passage::enters;
-  return dips(side, face) ? Passage::dips : Passage::outside;
-}
-
-/// At an end of a side; `way` is -1 for its begin, 1 for its end. At infinity: inside straight up only, where
-/// the three sites are the highest.
-bool CellDiagrams::inside_at(std::uint32_t tet, const VoronoiSide& side, int way, std::uint32_t face) const {
-  if (tet != kNone) return (inside_[tet] >> face & 1) != 0;
-  const double top = height(facet_.i, face);
-  if (height(facet_.j, face) != top || height(side.apex, face) != top) return false;
-  const Vec3 i = point(facet_.i);
-  const Vec3 along = cross(point(facet_.j) - i, point(side.apex) - i);
-  return way * dot(along, frame(face).up()) > 0;
-}
-
-/// The gap from the last side's end to the first one's begin.
-Passage CellDiagrams::passage_at_infinity(std::uint32_t face) const {
-  const VoronoiSide &last = facet_.sides.back(), &first = facet_.sides.front();
-  const bool from = inside_at(kNone, last, 1, face), to = inside_at(kNone, first, -1, face);
-  if (from) return to ? Passage::inside : Passage::leaves;
-  if (to) return Passage::enters;
-  const double top = height(facet_.i, face);
-  const bool highest =
-      height(facet_.j, face) == top && height(last.apex, face) < top && height(first.apex, face) < top;
-  return highest ? Passage::dips : Passage::outside;
-}
-
-/// Both ends outside: inside in between iff the middle of the two tangent spheres' centres is between the
-/// ends, where neither fourth vertex is nearer.
-bool CellDiagrams::dips(const VoronoiSide& side, std::uint32_t face) const {
-  const auto v = ascending(std::array{facet_.i, facet_.j, side.apex});
-  const TriangleAxis axis(point(v[0]), point(v[1]), point(v[2]));
-  const TangentSpheres spheres(axis, frame(face), height(v[0], face));
-  const auto farther = [&](std::uint32_t w) { return w == kNone || spheres.farther_from_middle(point(w)); };
-  return spheres.exist() && farther(side.from_vertex) && farther(side.to_vertex);
-}
-
-Vec2 CellDiagrams::crossing(const FacetCrossing& at, std::uint32_t face) const {
+Vec2 CellDiagrams::crossing(const FacetCrossing& at, std::uint32_t face) {
   const std::uint32_t i = facet_.i, j = facet_.j, apex = facet_.sides[at.side].apex;
-  const auto v = ascending(std::array{i, j, apex});
-  const TriangleAxis axis(point(v[0]), point(v[1]), point(v[2]));
-  const TangentSpheres spheres(axis, frame(face), height(v[0], face));
+  const TangentSpheres spheres(axis(at.side), frame(face), height(std::min(i, apex), face));
   // The surface is left at the second root along the side, which runs along the normal of (i, j, apex).
   const Passage passage = passages_[at.side];
   const bool second = passage == Passage::leaves || (passage == Passage::dips && at.root == 1);
   const bool along_axis = apex < i || apex > j;
   return spheres.touch(second == along_axis);
+}
+
+/// All corners and sides are outside, so the circle lies within the facet or misses it, as any one of its
+/// points does.
+void CellDiagrams::whole_circle(std::uint32_t face, std::vector<FaceArc>& arcs) const {
+  const FaceSite i = site(facet_.i, face), j = site(facet_.j, face);
+  if (i.height == j.height) return;
+  const Vec2 at = near_point_of_circle(i, j);
+  if (is_whole(i, at, face))
+    arcs.push_back({{facet_.i, facet_.j}, tangent_curve(i, j), at, at, true, false, false});
+}
+
+bool CellDiagrams::is_whole(const FaceSite& i, Vec2 at, std::uint32_t face) const {
+  const Vec3 centre = frame(face).to_space(at) + tangent_radius(i, at) * frame(face).up();
+  const Vec3 to_centre = centre - point(facet_.i);
+  return std::none_of(facet_.sides.begin(), facet_.sides.end(), [&](const VoronoiSide& side) {
+    const Vec3 w = point(side.apex) - point(facet_.i);
+    return (on(side.apex) >> face & 1) == 0 && dot(w, w) < 2 * dot(w, to_centre);
+  });
 }
 
 }  // namespace crossloft

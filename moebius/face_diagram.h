@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -24,6 +25,7 @@
 #include "diagram.h"
 #include "face_frame.h"
 #include "facet_cut.h"
+#include "tangent_spheres.h"
 #include "voronoi_facet.h"
 
 namespace crossloft {
@@ -51,17 +53,23 @@ struct CellSites {
   std::uint32_t words = 1;
 };
 
+/// Edge `edge` (kEdgeSlots) of tetrahedron `tet`, between the vertices i < j.
+struct TetEdge {
+  std::uint32_t tet;
+  std::uint32_t edge;
+  std::uint32_t i, j;
+};
+
 /// Reads off diagrams, 64 faces at a time: those of one word of CellSites::on_faces.
 /// REQUIRES: all points on the planes or on the cell's sides of them.
 class CellDiagrams {
  public:
-  /// O(tetrahedra): decides for each which faces its Voronoi vertex is inside of.
   explicit CellDiagrams(const CellSites& sites, std::uint32_t word = 0);
 
-  /// Appends the arcs between the pairs that are wanted: wanted(a, b), a < b, is the set of faces (bits of
-  /// this word) whose arcs between a and b are asked for; it may be called several times for a pair and must
-  /// answer the same. arcs[f] belongs to face 64 word + f. Sorted by sites, then ends: a function of the
-  /// numbered points alone. Time: the tetrahedra, those around the edges that are wanted, the arcs.
+  /// Appends the arcs between the pairs that are wanted: wanted(TetEdge) is the set of faces (bits of this
+  /// word) whose arcs between i and j are asked for; it may be called for several tetrahedra around an edge
+  /// and must answer the same. arcs[f] belongs to face 64 word + f. Sorted by sites, then ends: a function of
+  /// the numbered points alone. Time: the tetrahedra, those around the edges that are wanted, the arcs.
   template <class Wanted>
   void arcs(Wanted&& wanted, std::span<std::vector<FaceArc>> arcs);
 
@@ -71,60 +79,70 @@ class CellDiagrams {
   std::uint64_t on(std::uint32_t vertex) const {
     return sites_.on_faces[std::size_t{vertex} * sites_.words + word_] & all_;
   }
+  /// REQUIRES: the vertex is not on the face.
   FaceSite site(std::uint32_t vertex, std::uint32_t face) const {
     return {frame(face).to_plane(sites_.points[vertex]), height(vertex, face)};
   }
 
  private:
   using Arcs = std::span<std::vector<FaceArc>>;
+  /// How a side of the facet meets the surfaces: sets of faces.
+  struct SideCut {
+    std::uint64_t enters = 0, leaves = 0, dips = 0, inside = 0;
+    std::optional<TriangleAxis> axis;  ///< when it has been needed
+  };
+  static constexpr std::uint8_t kKnown = 1 << 6;
 
   const FaceFrame& frame(std::uint32_t face) const { return sites_.faces[64 * std::size_t{word_} + face]; }
   Vec3 point(std::uint32_t v) const { return to_vec3(sites_.points[v]); }
   double height(std::uint32_t v, std::uint32_t face) const {
     return heights_[std::size_t{v} * face_count_ + face];
   }
-  bool is_on(std::uint32_t v, std::uint32_t face) const { return (on(v) >> face & 1) != 0; }
 
   void measure_heights();
+  std::uint64_t inside(std::uint32_t tet);
   std::uint64_t inside_of(std::uint32_t tet) const;
-  /// Faces whose arcs between the two vertices (slots) of a tetrahedron may begin or end at its Voronoi
-  /// vertex.
-  std::uint64_t open_faces(std::uint32_t tet, std::size_t edge) const;
-  void edge_arcs(std::uint32_t tet, std::size_t edge, std::uint64_t wanted, Arcs arcs);
+  bool may_have_arcs(const TetEdge& edge, std::uint64_t faces);
+  void edge_arcs(const TetEdge& edge, std::uint64_t faces, Arcs arcs);
+  void cut_sides(std::uint64_t faces);
+  std::uint64_t straight_up(const VoronoiSide& side, int way, std::uint64_t faces) const;
+  std::uint64_t highest(std::uint64_t faces) const;
+  std::uint64_t dips(std::size_t side, std::uint64_t faces);
+  const TriangleAxis& axis(std::size_t side);
   void face_arcs(std::uint32_t face, std::vector<FaceArc>& arcs);
+  bool is_whole(const FaceSite& i, Vec2 at, std::uint32_t face) const;
   void whole_circle(std::uint32_t face, std::vector<FaceArc>& arcs) const;
-  void find_passages(std::uint32_t face);
-  Passage passage(const VoronoiSide& side, std::uint32_t face) const;
-  Passage passage_at_infinity(std::uint32_t face) const;
-  bool inside_at(std::uint32_t tet, const VoronoiSide& side, int way, std::uint32_t face) const;
-  bool dips(const VoronoiSide& side, std::uint32_t face) const;
-  Vec2 crossing(const FacetCrossing& at, std::uint32_t face) const;
+  Vec2 crossing(const FacetCrossing& at, std::uint32_t face);
 
   CellSites sites_;
   std::uint32_t word_ = 0, face_count_ = 0;
   std::uint64_t all_ = 0;
   std::vector<double> heights_;  ///< face_count_ per point
   std::vector<std::uint64_t>
-      inside_;                      ///< per tetrahedron: faces whose surface its Voronoi vertex is inside of
-  std::vector<std::uint8_t> done_;  ///< per tetrahedron: its edges that have been walked around
+      inside_;                       ///< per tetrahedron: faces whose surface its Voronoi vertex is inside of
+  std::vector<std::uint8_t> state_;  ///< per tetrahedron: the edges that are done, kKnown
   // Of the facet at hand:
   VoronoiFacet facet_;
+  std::vector<SideCut> cuts_;  ///< of the sides, and of the gap at infinity
   std::vector<Passage> passages_;
-  std::vector<FacetArc> cut_;
+  std::vector<FacetArc> pieces_;
 };
 
 template <class Wanted>
 void CellDiagrams::arcs(Wanted&& wanted, std::span<std::vector<FaceArc>> arcs) {
-  done_.assign(sites_.mesh->size(), 0);
-  for (std::uint32_t t = 0; t < sites_.mesh->size(); ++t)
-    for (std::size_t e = 0; e < kEdgeSlots.size(); ++e) {
-      const std::uint64_t open = done_[t] >> e & 1 ? 0 : open_faces(t, e);
-      if (open == 0) continue;
-      const auto& v = sites_.mesh->vertices[t];
-      const std::uint32_t a = v[kEdgeSlots[e][0]], b = v[kEdgeSlots[e][1]];
-      const std::uint64_t faces = wanted(std::min(a, b), std::max(a, b));
-      if ((open & faces) != 0) edge_arcs(t, e, faces, arcs);
+  for (std::uint8_t& state : state_) state &= kKnown;
+  for (std::uint32_t t = 0; t < sites_.mesh->size(); ++t) {
+    const auto& v = sites_.mesh->vertices[t];
+    const std::array on_face{on(v[0]), on(v[1]), on(v[2]), on(v[3])};
+    for (std::uint32_t e = 0; e < kEdgeSlots.size(); ++e) {
+      const auto [a, b] = kEdgeSlots[e];
+      std::uint64_t faces = all_ & ~(on_face[a] | on_face[b]);
+      if (faces == 0 || (state_[t] >> e & 1) != 0) continue;
+      const TetEdge edge{t, e, std::min(v[a], v[b]), std::max(v[a], v[b])};
+      faces &= wanted(edge);
+      if (faces != 0 && may_have_arcs(edge, faces)) edge_arcs(edge, faces, arcs);
     }
+  }
   for (std::vector<FaceArc>& list : arcs) std::sort(list.begin(), list.end(), before);
 }
 

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "face_diagram.h"
-
 namespace crossloft {
 
 TriangleAxis::TriangleAxis(Vec3 a, Vec3 b, Vec3 c) : base(a) {
@@ -17,22 +15,19 @@ TangentSpheres::TangentSpheres(const TriangleAxis& axis, const FaceFrame& frame,
     : axis_(axis), frame_(frame) {
   const double r = height + dot(frame.up(), axis.centre), square = dot(axis.centre, axis.centre);
   const Vec3 slant = cross(frame.up(), axis.normal);
-  const double t = dot(slant, slant), b = r * dot(frame.up(), axis.normal);
-  const double discriminant = r * r * dot(axis.normal, axis.normal) - t * square;
-  exist_ = t > 0 && discriminant > 0;
-  const double root = std::sqrt(std::max(0.0, discriminant));
-  // The larger root by adding, the other one by the product of both: nothing cancels.
-  const double q = b >= 0 ? b + root : b - root;
-  const double near = q != 0 ? (square - r * r) / q : 0;
-  const double far = t > 0 ? q / t : near;
-  low_ = b >= 0 ? near : far;
-  high_ = b >= 0 ? far : near;
-  middle_ = t > 0 ? b / t : near;
+  radius_excess_ = square - r * r;
+  slant_ = dot(slant, slant);
+  half_sum_ = r * dot(frame.up(), axis.normal);
+  discriminant_ = r * r * dot(axis.normal, axis.normal) - slant_ * square;
 }
 
-bool TangentSpheres::farther_from_middle(Vec3 point) const {
-  const Vec3 w = point - axis_.base;
-  return dot(w, w) > 2 * dot(w, at(middle_));
+Vec2 TangentSpheres::touch(bool upper) const {
+  const double root = std::sqrt(std::max(0.0, discriminant_));
+  // The root of larger size by adding, the other one by the product of both: nothing cancels.
+  const double q = half_sum_ >= 0 ? half_sum_ + root : half_sum_ - root;
+  double s = q != 0 ? radius_excess_ / q : 0;
+  if (upper == (half_sum_ >= 0) && slant_ > 0) s = q / slant_;
+  return frame_.to_plane(axis_.base + axis_.centre + s * axis_.normal);
 }
 
 MoebiusCurve tangent_curve(const FaceSite& i, const FaceSite& j) {

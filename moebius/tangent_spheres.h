@@ -28,21 +28,24 @@ class TangentSpheres {
   /// `height` is that of the axis' base.
   TangentSpheres(const TriangleAxis& axis, const FaceFrame& frame, double height);
 
-  bool exist() const { return exist_; }
+  bool exist() const { return slant_ > 0 && discriminant_ > 0; }
   /// Where the lower one (its centre first along the normal), or the upper one, touches the face. If there is
   /// none, where one nearly does.
-  Vec2 touch(bool upper) const { return frame_.to_plane(axis_.base + at(upper ? high_ : low_)); }
+  Vec2 touch(bool upper) const;
   /// True iff the point (not one of the three) is farther than the three from the middle between both
-  /// centres.
-  bool farther_from_middle(Vec3 point) const;
+  /// centres. REQUIRES: exist().
+  bool farther_from_middle(Vec3 point) const {
+    const Vec3 w = point - axis_.base;
+    return (dot(w, w) - 2 * dot(w, axis_.centre)) * slant_ > 2 * dot(w, axis_.normal) * half_sum_;
+  }
 
  private:
-  Vec3 at(double s) const { return axis_.centre + s * axis_.normal; }
-
   const TriangleAxis& axis_;
   const FaceFrame& frame_;
-  bool exist_ = false;
-  double low_ = 0, high_ = 0, middle_ = 0;
+  double radius_excess_;  ///< R^2 - r^2
+  double slant_;          ///< T
+  double half_sum_;       ///< r k: T times the mean of the roots
+  double discriminant_;
 };
 
 /// The curve of equal tangent spheres of i and j, its line directed with i on the left. REQUIRES: the sites

@@ -106,7 +106,7 @@ using Diagrams = std::vector<std::vector<FaceArc>>;
 inline Diagrams all_arcs(const Cell& cell) {
   CellDiagrams diagrams(cell.sites());
   Diagrams arcs(cell.planes.size());
-  diagrams.arcs([](std::uint32_t, std::uint32_t) { return ~std::uint64_t{0}; }, arcs);
+  diagrams.arcs([](const TetEdge&) { return ~std::uint64_t{0}; }, arcs);
   return arcs;
 }
 
