@@ -14,15 +14,41 @@ double distance_from(const MoebiusSite& site, Vec2 x) {
   return site.lambda * dot(x - site.p, x - site.p) - site.mu;
 }
 
-/// Arcs whose ends nearly coincide are tiny or nearly whole circles, which their rounded ends can't tell:
-/// whether no site is nearer on the far side of the circle can.
-bool is_nearly_whole(const MoebiusDiagram& diagram, const MoebiusArc& arc, Vec2 from) {
-  const Vec2 opposite = 2 * arc.curve.centre - from;
-  const MoebiusSite& own = diagram.sites[arc.sites[0]];
-  const MoebiusSite& nearest = diagram.sites[nearest_site(diagram.sites, opposite)];
+/// True if none is nearer to x than the site, but for rounding.
+bool is_nearest(const std::vector<MoebiusSite>& sites, const MoebiusSite& site, Vec2 x) {
   constexpr double kRounding = 1e-9;
-  const double size = std::abs(own.mu) + std::abs(own.lambda) * dot(opposite - own.p, opposite - own.p);
-  return distance_from(own, opposite) - distance_from(nearest, opposite) <= kRounding * size;
+  const auto size = [x](const MoebiusSite& s) {
+    return std::abs(s.mu) + std::abs(s.lambda) * dot(x - s.p, x - s.p);
+  };
+  const MoebiusSite& nearest = sites[nearest_site(sites, x)];
+  return distance_from(site, x) - distance_from(nearest, x) <= kRounding * (size(site) + size(nearest));
+}
+
+/// On a circle, so near that rounding may have changed the order of the ends.
+bool ends_nearly_coincide(const MoebiusDiagram& diagram, const MoebiusArc& arc) {
+  constexpr double kTiny = 1e-6, kRounding = 1e-13;
+  const Vec2 centre = arc.curve.centre, chord = diagram.vertices[arc.to] - diagram.vertices[arc.from];
+  const double tiny = kTiny * arc.curve.radius + kRounding * (std::abs(centre.x) + std::abs(centre.y));
+  return dot(chord, chord) <= tiny * tiny;
+}
+
+bool same_sites(const MoebiusArc& a, const MoebiusArc& b) {
+  return a.sites == b.sites || (a.sites[0] == b.sites[1] && a.sites[1] == b.sites[0]);
+}
+
+/// Arcs whose ends nearly coincide are tiny or nearly whole circles, which their rounded ends can't tell.
+/// They are whole if no site is nearer on the far side of the circle (at three points, since one may be a
+/// vertex), and if nothing else of the circle is an arc: of several at one point the first is taken.
+bool is_nearly_whole(const MoebiusDiagram& diagram, const MoebiusArc& arc) {
+  const bool shared = std::any_of(diagram.arcs.begin(), diagram.arcs.end(), [&](const MoebiusArc& other) {
+    return same_sites(arc, other) && (&other < &arc || !ends_nearly_coincide(diagram, other));
+  });
+  const Vec2 back = arc.curve.centre - diagram.vertices[arc.from];
+  constexpr std::array<double, 3> kSlopes = {-0.7133, 0.0129, 0.6317};
+  return !shared && std::all_of(kSlopes.begin(), kSlopes.end(), [&](double slope) {
+    const Vec2 turned = (1 / std::sqrt(1 + slope * slope)) * (back + slope * Vec2{-back.y, back.x});
+    return is_nearest(diagram.sites, diagram.sites[arc.sites[0]], arc.curve.centre + turned);
+  });
 }
 
 void trace_circle(const MoebiusDiagram& diagram, const MoebiusArc& arc, std::vector<CurvePiece>& pieces) {
@@ -30,13 +56,8 @@ void trace_circle(const MoebiusDiagram& diagram, const MoebiusArc& arc, std::vec
   const bool ccw = diagram.sites[arc.sites[0]].lambda > diagram.sites[arc.sites[1]].lambda;
   if (arc.from == kNone || arc.to == kNone) return append_circle(centre, radius, ccw, pieces);
   const Vec2 from = diagram.vertices[arc.from], to = diagram.vertices[arc.to];
-  constexpr double kTiny = 1e-6, kRounding = 1e-13;
-  const double tiny = kTiny * radius + kRounding * (std::abs(centre.x) + std::abs(centre.y));
-  if (dot(to - from, to - from) > tiny * tiny) return append_arc(from, to, centre, radius, ccw, pieces);
-  if (!is_nearly_whole(diagram, arc, from)) {
-    pieces.push_back({from, to, true, {}, 0, false});
-    return;
-  }
+  if (!ends_nearly_coincide(diagram, arc)) return append_arc(from, to, centre, radius, ccw, pieces);
+  if (!is_nearly_whole(diagram, arc)) return pieces.push_back({from, to, true, {}, 0, false});
   append_arc(from, 2 * centre - from, centre, radius, ccw, pieces);
   append_arc(2 * centre - from, to, centre, radius, ccw, pieces);
 }

@@ -94,19 +94,20 @@ std::string attribute(std::string_view name, double pixels) {
 
 class DiagramPage {
  public:
-  DiagramPage(const MoebiusDiagram& diagram, const PageMap& map)
+  DiagramPage(const MoebiusDiagram& diagram, const DiagramDrawing& drawing, const PageMap& map)
       : diagram_(diagram),
+        drawing_(drawing),
         map_(map),
         clipped_(clip_diagram(diagram, map.box())),
         has_cell_(sites_with_cell(diagram)),
         pens_(pens_for(map, diagram.sites.size())),
         out_(map, "Moebius diagram of " + std::to_string(diagram.sites.size()) + " sites") {}
 
-  std::string draw(const DiagramDrawing& drawing) && {
+  std::string draw() && {
     draw_cells();
     draw_arcs();
-    if (drawing.sites) draw_sites();
-    if (drawing.labels) draw_labels();
+    if (drawing_.sites) draw_sites();
+    if (drawing_.labels) draw_labels();
     return std::move(out_).finish();
   }
 
@@ -175,7 +176,7 @@ class DiagramPage {
     out_.close_group();
   }
 
-  /// "site 3: p = (1, 2), lambda = 1, mu = 0"
+  /// "site 3: p = (1, 2), lambda = 1, mu = 0, 2 pieces, 1 hole"
   std::string description(std::uint32_t s) const {
     const MoebiusSite& site = diagram_.sites[s];
     std::string text = "site " + std::to_string(s) + ": p = (";
@@ -183,10 +184,24 @@ class DiagramPage {
     append_decimal(text += ", ", site.p.y);
     append_decimal(text += "), lambda = ", site.lambda);
     append_decimal(text += ", mu = ", site.mu);
-    return has_cell_[s] ? text : text + ", no cell";
+    return text + cell_description(s);
+  }
+
+  std::string cell_description(std::uint32_t s) const {
+    if (!has_cell_[s]) return ", no cell";
+    if (drawing_.cells == nullptr) return {};
+    std::size_t holes = 0;
+    for (const CellComponent& piece : drawing_.cells->components_of(s)) holes += piece.hole_count();
+    return ", " + counted(drawing_.cells->components_of(s).size(), "piece") +
+           (holes > 0 ? ", " + counted(holes, "hole") : "");
+  }
+
+  static std::string counted(std::size_t count, const char* what) {
+    return std::to_string(count) + ' ' + what + (count == 1 ? "" : "s");
   }
 
   const MoebiusDiagram& diagram_;
+  const DiagramDrawing& drawing_;
   PageMap map_;
   DiagramInBox clipped_;
   std::vector<bool> has_cell_;
@@ -215,7 +230,7 @@ ViewBox view_of(const MoebiusDiagram& diagram) {
 Result<std::string> format_diagram_svg(const MoebiusDiagram& diagram, const DiagramDrawing& drawing) {
   const Result<PageMap> map = page_for(diagram, drawing);
   if (!map.ok()) return map.error();
-  return DiagramPage(diagram, *map).draw(drawing);
+  return DiagramPage(diagram, drawing, *map).draw();
 }
 
 Result<Done> write_diagram_svg(const std::string& path, const MoebiusDiagram& diagram,

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "../geom/result.h"
+#include "../moebius/cells.h"
 #include "../moebius/diagram.h"
 #include "svg.h"
 
@@ -15,6 +16,8 @@ struct DiagramDrawing {
   double width = 800;          ///< of the page [pixels]
   bool sites = true;           ///< a dot at each site: a square if lambda <= 0, hollow if it has no cell
   bool labels = false;         ///< the number of each site, from 0
+  const MoebiusCells* cells =
+      nullptr;  ///< those of the diagram, if tooltips are to tell their pieces and holes
 };
 
 /// A box with all sites, and the vertices and whole circles near them, with a margin; not empty for any

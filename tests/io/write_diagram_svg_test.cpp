@@ -178,3 +178,64 @@ TEST_CASE("the file is the text") {
   CHECK(scratch.files() == 1);
   CHECK(!write_diagram_svg(scratch.path("no/d.svg"), star()).ok());
 }
+
+namespace {
+
+/// Shows all vertices and circles, and a point of each whole line.
+DiagramDrawing everything(const MoebiusDiagram& diagram) {
+  ViewBox box = view_of(diagram);
+  const auto add = [&box](Vec2 p, double reach) {
+    box.low = {std::min(box.low.x, p.x - reach), std::min(box.low.y, p.y - reach)};
+    box.high = {std::max(box.high.x, p.x + reach), std::max(box.high.y, p.y + reach)};
+  };
+  for (const Vec2 v : diagram.vertices) add(v, 0);
+  for (const MoebiusArc& arc : diagram.arcs) {
+    if (!arc.curve.is_line || (arc.from == kNone && arc.to == kNone)) add(arc.curve.centre, arc.curve.radius);
+  }
+  return shown(box.low, box.high);
+}
+
+enum class Kind { voronoi, power, weighted, moebius, any_sign, grid };
+
+std::vector<MoebiusSite> random_sites(Kind kind, std::size_t count, std::mt19937& random) {
+  std::uniform_real_distribution<double> place(-1, 1), weight(0.5, 3), offset(-0.1, 0.1);
+  std::uniform_int_distribution<int> step(-3, 3), small(0, 2);
+  std::vector<MoebiusSite> sites(count);
+  for (MoebiusSite& site : sites) {
+    site.p = {place(random), place(random)};
+    if (kind == Kind::weighted || kind == Kind::moebius) site.lambda = weight(random);
+    if (kind == Kind::any_sign) site.lambda = place(random);
+    if (kind == Kind::power || kind == Kind::moebius || kind == Kind::any_sign) site.mu = offset(random);
+    if (kind != Kind::grid) continue;
+    site = {{static_cast<double>(step(random)), static_cast<double>(step(random))},
+            static_cast<double>(small(random)),
+            static_cast<double>(small(random))};
+  }
+  return sites;
+}
+
+DiagramDrawing random_box(std::mt19937& random) {
+  std::uniform_real_distribution<double> place(-4, 4), size(0.1, 4);
+  const Vec2 low{place(random), place(random)};
+  return shown(low, low + Vec2{size(random), size(random)});
+}
+
+}  // namespace
+
+TEST_CASE("random diagrams: the nearest site fills each point, every arc is there") {
+  MESSAGE("seeds 0..79 of each kind");
+  for (const Kind kind :
+       {Kind::voronoi, Kind::power, Kind::weighted, Kind::moebius, Kind::any_sign, Kind::grid}) {
+    for (unsigned seed = 0; seed < 80; ++seed) {
+      CAPTURE(static_cast<int>(kind));
+      CAPTURE(seed);
+      std::mt19937 random(seed);
+      const auto diagram = moebius_diagram(random_sites(kind, 1 + seed % 40, random));
+      REQUIRE(diagram.ok());
+      check_cells(*diagram, draw(*diagram), seed, 1e-4, 100);
+      check_cells(*diagram, draw(*diagram, random_box(random)), seed, 1e-4, 100);
+      if (const DiagramDrawing all = everything(*diagram); format_diagram_svg(*diagram, all).ok())
+        check_arcs(*diagram, draw(*diagram, all));
+    }
+  }
+}
