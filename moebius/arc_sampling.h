@@ -8,11 +8,6 @@
 
 namespace crossloft {
 
-/// { low <= x <= high } per axis.
-struct Box2 {
-  Vec2 low, high;
-};
-
 /// Appends points of the arc at equal steps, consecutive ones at most `spacing` apart, both (finite) ends
 /// included, from `from` to `to`; only those in the box. Equal steps come from halving, so they may be half
 /// as long as asked. Only + - * / sqrt. REQUIRES: spacing > 0. O(points), also for arcs that leave the box.

@@ -2,6 +2,7 @@
 
 #include <bit>
 #include <cmath>
+#include <limits>
 #include <tuple>
 
 #include "../geom/plane_line.h"
@@ -30,12 +31,47 @@ SphereCentre sphere_centre(Vec3 a, Vec3 b, Vec3 c, Vec3 d) {
   return volume < 0 ? SphereCentre{-offset, -2 * volume} : SphereCentre{offset, 2 * volume};
 }
 
-template <std::size_t N>
-std::array<std::uint32_t, N> ascending(std::array<std::uint32_t, N> v) {
-  for (std::size_t end = N - 1; end > 0; --end)
-    for (std::size_t k = 0; k < end; ++k)
-      if (v[k] > v[k + 1]) std::swap(v[k], v[k + 1]);
+void order(std::uint32_t& a, std::uint32_t& b) {
+  const std::uint32_t low = std::min(a, b);
+  b = std::max(a, b);
+  a = low;
+}
+
+std::array<std::uint32_t, 3> ascending(std::array<std::uint32_t, 3> v) {
+  order(v[0], v[1]);
+  order(v[1], v[2]);
+  order(v[0], v[1]);
   return v;
+}
+
+std::array<std::uint32_t, 4> ascending(std::array<std::uint32_t, 4> v) {
+  order(v[0], v[1]);
+  order(v[2], v[3]);
+  order(v[0], v[2]);
+  order(v[1], v[3]);
+  order(v[1], v[2]);
+  return v;
+}
+
+struct NumberedPoint {
+  std::uint32_t vertex;
+  HighPoint point;
+};
+
+/// Drops the sites whose spheres are larger than those of another one all over the disk.
+void drop_undercut(const Disk& disk, std::vector<NumberedPoint>& sites) {
+  constexpr double kSlack = 1 + 1e-9;  // more than all rounding
+  std::vector<double> lows(sites.size());
+  double bound = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < sites.size(); ++k) {
+    const DiameterRange range = diameters_over(disk, sites[k].point);
+    lows[k] = range.low;
+    bound = std::min(bound, range.high * kSlack);
+  }
+  std::size_t kept = 0;
+  for (std::size_t k = 0; k < sites.size(); ++k)
+    if (lows[k] <= bound) sites[kept++] = sites[k];
+  sites.resize(kept);
 }
 
 }  // namespace
@@ -49,6 +85,10 @@ CellDiagrams::CellDiagrams(const CellSites& sites, std::uint32_t word) : sites_(
   face_count_ = static_cast<std::uint32_t>(std::min<std::size_t>(faces, 64));
   all_ = face_count_ == 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << face_count_) - 1;
   measure_heights();
+  for (std::uint32_t f = 0; f < face_count_; ++f) ups_.push_back(frame(f).up());
+  for (std::uint32_t v = 0; v < sites.points.size(); ++v) near_.push_back(all_ & ~on(v));
+  if (!sites.regions.empty())
+    for (std::uint32_t f = 0; f < face_count_; ++f) find_near(f);
   inside_.resize(sites.mesh->size());
   state_.resize(sites.mesh->size());
 }
@@ -72,6 +112,26 @@ void CellDiagrams::measure_heights() {
   }
 }
 
+/// Nearest nowhere in the region is a site that another one undercuts in each of its parts.
+void CellDiagrams::find_near(std::uint32_t face) {
+  const Box2& region = sites_.regions[64 * std::size_t{word_} + face];
+  disks_.push_back(disk_around(frame(face), region));
+  const std::uint64_t bit = std::uint64_t{1} << face;
+  std::vector<NumberedPoint> sites;
+  for (std::uint32_t v = 0; v < near_.size(); ++v)
+    if ((near_[v] & bit) != 0) {
+      near_[v] ^= bit;
+      sites.push_back({v, {point(v), height(v, face)}});
+    }
+  if (region.low.x > region.high.x || region.low.y > region.high.y) return;
+  drop_undercut(disks_.back(), sites);
+  for (const Disk& disk : disks_over(frame(face), region)) {
+    std::vector<NumberedPoint> left = sites;
+    drop_undercut(disk, left);
+    for (const NumberedPoint& site : left) near_[site.vertex] |= bit;
+  }
+}
+
 std::uint64_t CellDiagrams::inside(std::uint32_t tet) {
   if ((state_[tet] & kKnown) == 0) {
     inside_[tet] = inside_of(tet);
@@ -89,20 +149,34 @@ std::uint64_t CellDiagrams::inside_of(std::uint32_t tet) const {
   const auto v = ascending(given);
   const SphereCentre centre = sphere_centre(point(v[0]), point(v[1]), point(v[2]), point(v[3]));
   const double distance = norm(centre.offset);
+  const double* heights = &heights_[std::size_t{v[0]} * face_count_];
   std::uint64_t inside = 0;
-  for_each(faces, [&](std::uint32_t f) {
-    const double rise = centre.denominator * height(v[0], f) + dot(frame(f).up(), centre.offset);
-    inside |= std::uint64_t{rise > distance} << f;
-  });
-  return inside;
+  for (std::uint32_t f = 0; f < face_count_; ++f)
+    inside |= std::uint64_t{centre.denominator * heights[f] + dot(ups_[f], centre.offset) > distance} << f;
+  return inside & faces;
 }
 
-/// Not if the facet's corner is inside all surfaces: what crosses one is seen from the next corner. At
-/// infinity all is outside, but for one direction.
-bool CellDiagrams::may_have_arcs(const TetEdge& edge, std::uint64_t faces) {
+/// All of the faces within reach, or none if there is no arc to be found from here: if the facet's corner is
+/// inside a surface, what crosses that is seen from another corner. At infinity all is outside, but for one
+/// direction.
+std::uint64_t CellDiagrams::may_have_arcs(const TetEdge& edge, std::uint64_t faces) {
   const auto& neighbour = sites_.mesh->neighbours[edge.tet];
   const auto [c, d] = kEdgeSlots[5 - edge.edge];
-  return neighbour[c] == kNone || neighbour[d] == kNone || (faces & ~inside(edge.tet)) != 0;
+  const bool on_hull = neighbour[c] == kNone || neighbour[d] == kNone;
+  const std::uint64_t inside_here = on_hull ? 0 : inside(edge.tet);
+  const std::uint64_t open = within_reach(edge, faces & ~inside_here);
+  return open == 0 ? 0 : open | within_reach(edge, faces & inside_here);
+}
+
+/// Faces in whose region there may be arcs between i and j.
+std::uint64_t CellDiagrams::within_reach(const TetEdge& edge, std::uint64_t faces) const {
+  if (disks_.empty()) return faces;
+  std::uint64_t set = 0;
+  for_each(faces, [&](std::uint32_t f) {
+    const HighPoint i{point(edge.i), height(edge.i, f)}, j{point(edge.j), height(edge.j, f)};
+    set |= std::uint64_t{change_ranks(disks_[f], i, j)} << f;
+  });
+  return set;
 }
 
 void CellDiagrams::edge_arcs(const TetEdge& edge, std::uint64_t faces, Arcs arcs) {

@@ -25,6 +25,7 @@
 #include "diagram.h"
 #include "face_frame.h"
 #include "facet_cut.h"
+#include "reach.h"
 #include "tangent_spheres.h"
 #include "voronoi_facet.h"
 
@@ -51,6 +52,9 @@ struct CellSites {
   std::span<const std::uint64_t>
       on_faces;  ///< `words` per point; bit f of them iff the point is on the plane of face f
   std::uint32_t words = 1;
+  /// Per face, in its frame: arcs that miss the box may be left out, for speed; nothing is wanted of a face
+  /// whose box has low > high. If there are none, all arcs are wanted.
+  std::span<const Box2> regions;
 };
 
 /// Edge `edge` (kEdgeSlots) of tetrahedron `tet`, between the vertices i < j.
@@ -100,9 +104,11 @@ class CellDiagrams {
   }
 
   void measure_heights();
+  void find_near(std::uint32_t face);
   std::uint64_t inside(std::uint32_t tet);
   std::uint64_t inside_of(std::uint32_t tet) const;
-  bool may_have_arcs(const TetEdge& edge, std::uint64_t faces);
+  std::uint64_t may_have_arcs(const TetEdge& edge, std::uint64_t faces);
+  std::uint64_t within_reach(const TetEdge& edge, std::uint64_t faces) const;
   void edge_arcs(const TetEdge& edge, std::uint64_t faces, Arcs arcs);
   void cut_sides(std::uint64_t faces);
   std::uint64_t straight_up(const VoronoiSide& side, int way, std::uint64_t faces) const;
@@ -117,7 +123,10 @@ class CellDiagrams {
   CellSites sites_;
   std::uint32_t word_ = 0, face_count_ = 0;
   std::uint64_t all_ = 0;
-  std::vector<double> heights_;  ///< face_count_ per point
+  std::vector<Vec3> ups_;            ///< of the faces
+  std::vector<Disk> disks_;          ///< of the faces, around their regions; or none
+  std::vector<std::uint64_t> near_;  ///< per point: faces over which it may be the nearest site in the region
+  std::vector<double> heights_;      ///< face_count_ per point
   std::vector<std::uint64_t>
       inside_;                       ///< per tetrahedron: faces whose surface its Voronoi vertex is inside of
   std::vector<std::uint8_t> state_;  ///< per tetrahedron: the edges that are done, kKnown
@@ -133,14 +142,15 @@ void CellDiagrams::arcs(Wanted&& wanted, std::span<std::vector<FaceArc>> arcs) {
   for (std::uint8_t& state : state_) state &= kKnown;
   for (std::uint32_t t = 0; t < sites_.mesh->size(); ++t) {
     const auto& v = sites_.mesh->vertices[t];
-    const std::array on_face{on(v[0]), on(v[1]), on(v[2]), on(v[3])};
+    const std::array near{near_[v[0]], near_[v[1]], near_[v[2]], near_[v[3]]};
     for (std::uint32_t e = 0; e < kEdgeSlots.size(); ++e) {
       const auto [a, b] = kEdgeSlots[e];
-      std::uint64_t faces = all_ & ~(on_face[a] | on_face[b]);
+      std::uint64_t faces = near[a] & near[b];
       if (faces == 0 || (state_[t] >> e & 1) != 0) continue;
       const TetEdge edge{t, e, std::min(v[a], v[b]), std::max(v[a], v[b])};
       faces &= wanted(edge);
-      if (faces != 0 && may_have_arcs(edge, faces)) edge_arcs(edge, faces, arcs);
+      if (faces != 0) faces = may_have_arcs(edge, faces);
+      if (faces != 0) edge_arcs(edge, faces, arcs);
     }
   }
   for (std::vector<FaceArc>& list : arcs) std::sort(list.begin(), list.end(), before);

@@ -43,6 +43,11 @@ class FaceFrame {
   double per_value_ = 0;  ///< height of a point per unit of plane_value, signed
 };
 
+/// The part of a plane with low <= x <= high per axis.
+struct Box2 {
+  Vec2 low, high;
+};
+
 /// A site of a face's diagram: its distance from a is twice the radius of the sphere through it tangent to
 /// the face at a.
 struct FaceSite {

@@ -24,7 +24,7 @@ struct Cell {
   std::vector<std::uint64_t> on_faces;
   TetMesh mesh;
 
-  CellSites sites() const { return {points, &mesh, frames, on_faces, 1}; }
+  CellSites sites() const { return {points, &mesh, frames, on_faces, 1, {}}; }
   bool contains(const LatticePoint& p) const {
     for (std::size_t f = 0; f < planes.size(); ++f)
       if (side_of_plane(planes[f], p) == -sides[f]) return false;
@@ -103,8 +103,10 @@ inline void scatter(Cell& cell, std::size_t n, std::int64_t reach, std::uint64_t
 
 using Diagrams = std::vector<std::vector<FaceArc>>;
 
-inline Diagrams all_arcs(const Cell& cell) {
-  CellDiagrams diagrams(cell.sites());
+inline Diagrams all_arcs(const Cell& cell, std::span<const Box2> regions = {}) {
+  CellSites sites = cell.sites();
+  sites.regions = regions;
+  CellDiagrams diagrams(sites);
   Diagrams arcs(cell.planes.size());
   diagrams.arcs([](const TetEdge&) { return ~std::uint64_t{0}; }, arcs);
   return arcs;
@@ -171,37 +173,35 @@ inline std::vector<ScanCrossing> scan(const std::vector<FaceArc>& arcs, const st
   return crossings;
 }
 
-/// Checks `lines` scan lines through the square |x|, |y| <= reach: between crossings the nearest site is the
-/// one that the arcs on both sides name. Gaps below `tolerance` are passed over. Returns the number of gaps
-/// checked.
+/// Checks `lines` scan lines through the box: between crossings the nearest site is the one that the arcs on
+/// both sides name. Gaps below `tolerance` are passed over. Returns the number of gaps checked.
 inline std::size_t check_by_scan(const std::vector<FaceArc>& arcs, const std::vector<FaceSite>& sites,
-                                 double reach, std::size_t lines, double tolerance) {
+                                 const Box2& box, std::size_t lines, double tolerance) {
   std::size_t checked = 0, wrong = 0;
   for (std::size_t k = 0; k < lines; ++k) {
-    const double y =
-        reach * (2 * (static_cast<double>(k) + 0.3819660112501051) / static_cast<double>(lines) - 1);
-    std::vector<ScanCrossing> crossings = scan(arcs, sites, y);
-    // Below every line there is some cell at both ends.
-    const auto check = [&](double from, double to, std::uint32_t cell) {
-      if (to - from < tolerance) return;
-      ++checked;
-      const Vec2 middle{0.5 * (from + to), y};
-      const std::uint32_t best = nearest(sites, middle);
-      const double here = tangent_radius(sites[cell], middle), least = tangent_radius(sites[best], middle);
-      wrong += here > least * (1 + 1e-12);
-    };
-    if (crossings.empty()) continue;
-    check(std::min(-4 * reach, crossings.front().x - reach), crossings.front().x, crossings.front().before);
-    for (std::size_t c = 0; c < crossings.size(); ++c) {
-      const double next =
-          c + 1 < crossings.size() ? crossings[c + 1].x : std::max(4 * reach, crossings[c].x + reach);
-      check(crossings[c].x, next, crossings[c].behind);
-      if (c + 1 < crossings.size() && next - crossings[c].x >= tolerance)
-        wrong += crossings[c].behind != crossings[c + 1].before;
+    const double part = (static_cast<double>(k) + 0.3819660112501051) / static_cast<double>(lines);
+    const double y = box.low.y + part * (box.high.y - box.low.y);
+    // The ends of the line have no cell beyond.
+    std::vector<ScanCrossing> crossings{{box.low.x, kNone, kNone}};
+    for (const ScanCrossing& c : scan(arcs, sites, y))
+      if (c.x > box.low.x && c.x < box.high.x) crossings.push_back(c);
+    crossings.push_back({box.high.x, kNone, kNone});
+    for (std::size_t c = 0; c + 1 < crossings.size(); ++c) {
+      const ScanCrossing &left = crossings[c], &right = crossings[c + 1];
+      if (right.x - left.x < tolerance) continue;
+      const Vec2 middle{0.5 * (left.x + right.x), y};
+      const double least = tangent_radius(sites[nearest(sites, middle)], middle);
+      for (const std::uint32_t cell : {left.behind, right.before}) {
+        if (cell == kNone) continue;
+        ++checked;
+        wrong += tangent_radius(sites[cell], middle) > least * (1 + 1e-12);
+      }
     }
   }
   CHECK(wrong == 0);
   return checked;
 }
+
+inline Box2 square(double half) { return {{-half, -half}, {half, half}}; }
 
 }  // namespace crossloft::test
