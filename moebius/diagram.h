@@ -36,12 +36,12 @@ struct MoebiusCurve {
 
 /// A piece of the curve of two sites along which no third one is nearer. Walked from `from` to `to`, the cell
 /// of sites[0] is on the left; on a circle that is counter-clockwise iff lambda of sites[0] is the larger
-/// one.
+/// one. An end is a vertex, or kNone: at infinity (only on a line), and both on a whole curve.
 struct MoebiusArc {
   std::array<std::uint32_t, 2> sites{};
-  std::uint32_t from = kNone,
-                to = kNone;  ///< vertices; kNone at infinity (only on a line), both on a whole curve
+  std::uint32_t from = kNone, to = kNone;
   MoebiusCurve curve;
+  bool over_half = false;  ///< more than half of a circle, but not the whole one
 };
 
 /// Vertices have three arcs each: where more cells meet, several vertices have (nearly) the same place.
