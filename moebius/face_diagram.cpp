@@ -273,9 +273,10 @@ void CellDiagrams::face_arcs(std::uint32_t face, std::vector<FaceArc>& arcs) {
   }
   pieces_.clear();
   cut_facet(passages_, pieces_);
-  const MoebiusCurve curve = tangent_curve(site(facet_.i, face), site(facet_.j, face));
+  const FaceSite i = site(facet_.i, face), j = site(facet_.j, face);
+  const MoebiusCurve curve = tangent_curve(i, j);
   for (const FacetArc& piece : pieces_) {
-    FaceArc arc{{facet_.i, facet_.j}, curve, {}, {}, false, false, false};
+    FaceArc arc{{facet_.i, facet_.j}, curve, {}, {}, i.height > j.height, false, false, false};
     arc.from_infinite = piece.from.side == facet_.sides.size();
     arc.to_infinite = piece.to.side == facet_.sides.size();
     if (!arc.from_infinite) arc.from = crossing(piece.from, face);
@@ -301,7 +302,8 @@ void CellDiagrams::whole_circle(std::uint32_t face, std::vector<FaceArc>& arcs) 
   if (i.height == j.height) return;
   const Vec2 at = near_point_of_circle(i, j);
   if (is_whole(i, at, face))
-    arcs.push_back({{facet_.i, facet_.j}, tangent_curve(i, j), at, at, true, false, false});
+    arcs.push_back(
+        {{facet_.i, facet_.j}, tangent_curve(i, j), at, at, i.height > j.height, true, false, false});
 }
 
 bool CellDiagrams::is_whole(const FaceSite& i, Vec2 at, std::uint32_t face) const {

@@ -32,11 +32,12 @@
 namespace crossloft {
 
 /// A piece of a face's diagram, in the face's frame. Walked from `from` to `to`, the cell of sites[0] is on
-/// the left; on a circle that is counter-clockwise iff sites[0] is the lower one.
+/// the left.
 struct FaceArc {
   std::array<std::uint32_t, 2> sites{};  ///< vertices of the cell, ascending
   MoebiusCurve curve;
   Vec2 from, to;                                    ///< equal on a whole circle; anything at an infinite end
+  bool clockwise = false;                           ///< around the circle: iff sites[0] is the higher one
   bool whole = false;                               ///< the whole circle
   bool from_infinite = false, to_infinite = false;  ///< only on a line
 };
