@@ -35,6 +35,7 @@ ExitCode run(int argc, char** argv) {
   add_check(program, outcome);
   add_compare(program, outcome);
   add_slice(program, outcome);
+  add_moebius(program, outcome);
   add_demo(program, outcome);
   try {
     program.parse(argc, argv);

@@ -41,19 +41,19 @@ bool contains(const ViewBox& box, Vec2 p) {
   return p.x >= box.low.x && p.x <= box.high.x && p.y >= box.low.y && p.y <= box.high.y;
 }
 
-/// Vertices, and whole circles no larger than the sites' extent, whose centres lie within half of that extent
-/// around the sites; where the sites have no extent, any whole circle.
+/// Vertices within a quarter of the sites' extent, and whole circles that are neither larger than it nor centred
+/// further off than half of it; where the sites have no extent, any whole circle.
 void add_near(const MoebiusDiagram& diagram, Bounds2& bounds) {
   const ViewBox sites = bounds.box();
   const double extent = larger_side(sites);
-  const ViewBox near = grown(sites, {0.5 * extent, 0.5 * extent});
+  const auto is_near = [&sites](Vec2 p, double reach) { return contains(grown(sites, {reach, reach}), p); };
   for (const Vec2 v : diagram.vertices) {
-    if (contains(near, v)) bounds.add(v);
+    if (is_near(v, 0.25 * extent)) bounds.add(v);
   }
   for (const MoebiusArc& arc : diagram.arcs) {
     const auto& [is_line, centre, radius, direction] = arc.curve;
     if (is_line || arc.from != kNone) continue;
-    if (extent == 0 || (radius <= extent && contains(near, centre))) bounds.add(centre, radius);
+    if (extent == 0 || (radius <= extent && is_near(centre, 0.5 * extent))) bounds.add(centre, radius);
   }
 }
 

@@ -52,7 +52,7 @@ expect 2 '' reconstruct "$source/examples/demo.contour" -o x.ply --mode best
 expect 2 '' reconstruct "$source/examples/demo.contour" -o x.ply --match-tolerance -1
 expect 2 '' slice x.ply -o x.contour --parallel 3 --random 4
 expect 0 '^crossloft [0-9]' --version
-for command in reconstruct info check compare slice demo; do expect 0 "crossloft $command" $command --help; done
+for command in reconstruct info check compare slice moebius demo; do expect 0 "crossloft $command" $command --help; done
 
 # Bad files
 expect 3 'missing.contour' reconstruct missing.contour -o x.ply
@@ -83,6 +83,26 @@ expect 3 'planes.txt:1: expected four' slice cube.ply -o cut2.csl --planes plane
 absent cut2.csl
 expect 0 '' reconstruct cube.contour -o quiet.ply --quiet
 [ -s out.txt ] && { echo "FAILED: --quiet is not"; cat out.txt; failures=$((failures + 1)); }
+
+# Moebius diagrams: a disc in the plane of the others, a hidden site
+printf '# x y lambda mu\n0 0 4\n3 0\n3 0 1 -1\n' >sites.txt
+expect 0 'arcs +1, 1 of them whole' moebius sites.txt -o d.svg --json d.json
+grep -Eq 'sites +3, 1 without a cell' out.txt && grep -Eq 'cells +2, 0 disconnected, 1 with holes' out.txt ||
+  { echo "FAILED: counts of cells"; cat out.txt; failures=$((failures + 1)); }
+grep -q '<circle [^>]*data-arc="0"' d.svg || { echo "FAILED: no circle in d.svg"; failures=$((failures + 1)); }
+grep -q '"centre":\[-1.0,0.0\],"radius":2.0' d.json || { echo "FAILED: no circle in d.json"; cat d.json; failures=$((failures + 1)); }
+expect 0 '' moebius sites.txt -o d2.svg --box -4,-3,2,3 --width 200 --labels --no-sites
+grep -q 'width="200" height="200"' d2.svg || { echo "FAILED: not the page asked for"; failures=$((failures + 1)); }
+expect 2 'the box to draw' moebius sites.txt -o d3.svg --box 0,0,0,1
+expect 2 '' moebius sites.txt -o d3.svg --box 0,0,1
+expect 2 'unknown extension' moebius sites.txt -o d3.png
+expect 2 'sites.svg: is the input' moebius sites.svg -o sites.svg
+expect 3 'missing.txt' moebius missing.txt -o d3.svg
+printf '0 0\n1 x\n' >bad_sites.txt
+expect 3 'bad_sites.txt:2: .x. stands where the y of a site' moebius bad_sites.txt -o d3.svg
+: >no_sites.txt
+expect 3 'no_sites.txt.*no site' moebius no_sites.txt -o d3.svg
+absent d3.svg
 
 # Nothing to join: empty surface, told why
 printf "1\n$(section 0)" >one.contour
