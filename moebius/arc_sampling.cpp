@@ -17,16 +17,30 @@ struct Piece {
 
 double length(Vec2 v) { return std::sqrt(dot(v, v)); }
 
-/// The middle of the longer or the shorter way from one end to the other around the circle. The smaller
-/// sagitta is (l/2)^2 / (R + sqrt(R^2 - (l/2)^2)): nothing cancels on a large circle.
-Vec2 middle(const Piece& p, bool longer = false) {
-  const Vec2 chord = p.to - p.from, mid = 0.5 * (p.from + p.to);
+/// The middle of the chord, moved by `sagitta` to where the piece lies.
+Vec2 pushed(const Piece& p, double sagitta) {
+  const Vec2 chord = p.to - p.from;
+  return 0.5 * (p.from + p.to) + (p.bulge * sagitta / length(chord)) * Vec2{chord.y, -chord.x};
+}
+
+double root_of_rest(const Piece& p, double square) {
+  return std::sqrt(std::max(0.0, p.radius * p.radius - square));
+}
+
+/// The sagitta is (l/2)^2 / (R + sqrt(R^2 - (l/2)^2)): nothing cancels on a large circle.
+Vec2 middle(const Piece& p) {
+  const Vec2 chord = p.to - p.from;
   const double square = dot(chord, chord) / 4;
-  if (p.radius == 0 || square == 0) return mid;
-  const double large = p.radius + std::sqrt(std::max(0.0, p.radius * p.radius - square));
-  const double sagitta = longer ? large : square / large;
-  const Vec2 right{chord.y, -chord.x};
-  return mid + (p.bulge * sagitta / (2 * std::sqrt(square))) * right;
+  if (p.radius == 0 || square == 0) return 0.5 * (p.from + p.to);
+  return pushed(p, square / (p.radius + root_of_rest(p, square)));
+}
+
+/// The same of a piece of more than a half turn. If its ends are close it is across from them, whatever their
+/// order.
+Vec2 middle_of_longer(const Piece& p, Vec2 centre) {
+  const Vec2 away = (centre - p.from) + (centre - p.to), chord = p.to - p.from;
+  if (dot(away, away) > p.radius * p.radius) return centre + (p.radius / length(away)) * away;
+  return pushed(p, p.radius + root_of_rest(p, dot(chord, chord) / 4));
 }
 
 std::array<Piece, 2> halves(const Piece& p, Vec2 mid) {
@@ -99,12 +113,9 @@ void sample_line(const FaceArc& arc, double spacing, const Box2& box, std::vecto
 void sample_arc(const FaceArc& arc, double spacing, const Box2& box, std::vector<Vec2>& points) {
   if (arc.curve.is_line) return sample_line(arc, spacing, box, points);
   const Piece all{arc.from, arc.to, arc.curve.radius, arc.clockwise ? -1.0 : 1.0};
-  const Vec2 to_centre = arc.curve.centre - arc.from;
   if (contains(box, arc.from)) points.push_back(arc.from);
-  if (!arc.whole && all.bulge * cross(arc.to - arc.from, to_centre) >= 0)
-    return sample(all, halvings(all, spacing), box, points);
-  const Vec2 opposite = arc.whole ? arc.curve.centre + to_centre : middle(all, true);
-  const auto parts = halves(all, opposite);
+  if (!arc.whole && !arc.over_half) return sample(all, halvings(all, spacing), box, points);
+  const auto parts = halves(all, middle_of_longer(all, arc.curve.centre));
   const int depth = halvings(parts[0], spacing);
   for (const Piece& part : parts) sample(part, depth, box, points);
 }

@@ -276,13 +276,25 @@ void CellDiagrams::face_arcs(std::uint32_t face, std::vector<FaceArc>& arcs) {
   const FaceSite i = site(facet_.i, face), j = site(facet_.j, face);
   const MoebiusCurve curve = tangent_curve(i, j);
   for (const FacetArc& piece : pieces_) {
-    FaceArc arc{{facet_.i, facet_.j}, curve, {}, {}, i.height > j.height, false, false, false};
+    FaceArc arc{{facet_.i, facet_.j}, curve, {}, {}, i.height > j.height, false, false, false, false};
     arc.from_infinite = piece.from.side == facet_.sides.size();
     arc.to_infinite = piece.to.side == facet_.sides.size();
     if (!arc.from_infinite) arc.from = crossing(piece.from, face);
     if (!arc.to_infinite) arc.to = crossing(piece.to, face);
+    arc.over_half = !curve.is_line && is_over_half(arc, face);
     arcs.push_back(arc);
   }
+}
+
+/// The side of the chord that the centre is on tells, but where the ends are so close that rounding may have
+/// swapped them: there the place across the circle is in the facet or not.
+bool CellDiagrams::is_over_half(const FaceArc& arc, std::uint32_t face) const {
+  const Vec2 chord = arc.to - arc.from, to_centre = arc.curve.centre - arc.from;
+  const bool turns_back = (cross(chord, to_centre) < 0) != arc.clockwise;
+  if (dot(chord, chord) > 1e-16 * dot(to_centre, to_centre) + 1e-24 * dot(arc.from, arc.from))
+    return turns_back;
+  return (turns_back || pieces_.size() == 1) &&
+         facet_holds(site(facet_.i, face), arc.curve.centre + to_centre, face);
 }
 
 Vec2 CellDiagrams::crossing(const FacetCrossing& at, std::uint32_t face) {
@@ -301,12 +313,13 @@ void CellDiagrams::whole_circle(std::uint32_t face, std::vector<FaceArc>& arcs) 
   const FaceSite i = site(facet_.i, face), j = site(facet_.j, face);
   if (i.height == j.height) return;
   const Vec2 at = near_point_of_circle(i, j);
-  if (is_whole(i, at, face))
+  if (facet_holds(i, at, face))
     arcs.push_back(
-        {{facet_.i, facet_.j}, tangent_curve(i, j), at, at, i.height > j.height, true, false, false});
+        {{facet_.i, facet_.j}, tangent_curve(i, j), at, at, i.height > j.height, false, true, false, false});
 }
 
-bool CellDiagrams::is_whole(const FaceSite& i, Vec2 at, std::uint32_t face) const {
+/// True iff no site around is nearer at a point of the curve of i and j.
+bool CellDiagrams::facet_holds(const FaceSite& i, Vec2 at, std::uint32_t face) const {
   const Vec3 centre = frame(face).to_space(at) + tangent_radius(i, at) * frame(face).up();
   const Vec3 to_centre = centre - point(facet_.i);
   return std::none_of(facet_.sides.begin(), facet_.sides.end(), [&](const VoronoiSide& side) {

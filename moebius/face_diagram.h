@@ -38,6 +38,7 @@ struct FaceArc {
   MoebiusCurve curve;
   Vec2 from, to;                                    ///< equal on a whole circle; anything at an infinite end
   bool clockwise = false;                           ///< around the circle: iff sites[0] is the higher one
+  bool over_half = false;                           ///< more than half of the circle, but not the whole
   bool whole = false;                               ///< the whole circle
   bool from_infinite = false, to_infinite = false;  ///< only on a line
 };
@@ -117,7 +118,8 @@ class CellDiagrams {
   std::uint64_t dips(std::size_t side, std::uint64_t faces);
   const TriangleAxis& axis(std::size_t side);
   void face_arcs(std::uint32_t face, std::vector<FaceArc>& arcs);
-  bool is_whole(const FaceSite& i, Vec2 at, std::uint32_t face) const;
+  bool facet_holds(const FaceSite& i, Vec2 at, std::uint32_t face) const;
+  bool is_over_half(const FaceArc& arc, std::uint32_t face) const;
   void whole_circle(std::uint32_t face, std::vector<FaceArc>& arcs) const;
   Vec2 crossing(const FacetCrossing& at, std::uint32_t face);
 

@@ -20,6 +20,7 @@ FaceArc circle_arc(Vec2 centre, double radius, double from, double to, bool cloc
   arc.from = centre + radius * Vec2{std::cos(from), std::sin(from)};
   arc.to = centre + radius * Vec2{std::cos(to), std::sin(to)};
   arc.clockwise = clockwise;
+  arc.over_half = std::abs(to - from) > 3.14159265358979324;
   return arc;
 }
 
