@@ -75,12 +75,14 @@ void DiagramBuilder::add_facet(std::uint32_t i, std::uint32_t j, std::span<const
   for (const FacetSide& side : sides) passages_.push_back(side.passage);
   cut_.clear();
   cut_facet(passages_, cut_);
-  for (const FacetArc& piece : cut_) {
-    MoebiusArc& arc =
-        add_arc(i, j, vertex_at(sides[piece.from.side], true), vertex_at(sides[piece.to.side], false));
-    arc.over_half = !arc.curve.is_line && is_over_half(arc, sides);
-  }
-  if (cut_.empty()) add_whole_curve(i, j, sides);
+  const std::size_t first = arcs_.size();
+  for (const FacetArc& piece : cut_)
+    add_arc(i, j, vertex_at(sides[piece.from.side], true), vertex_at(sides[piece.to.side], false));
+  const auto pieces = std::span(arcs_).subspan(first);
+  if (cut_.empty())
+    add_whole_curve(i, j, sides);
+  else if (!pieces.front().curve.is_line)
+    for (MoebiusArc& arc : pieces) arc.over_half = is_over_half(arc, pieces, sides);
 }
 
 /// The border of the facet never crosses the paraboloid. If it is outside, the curve of a plane that is not
@@ -101,28 +103,31 @@ void DiagramBuilder::add_whole_curve(std::uint32_t i, std::uint32_t j, std::span
 /// The cell of i is on the left: where the plane of the facet rises, as seen from above, the side of the
 /// larger lambda is within the circle and the border of the facet turns counter-clockwise. Here i becomes the
 /// smaller index.
-MoebiusArc& DiagramBuilder::add_arc(std::uint32_t i, std::uint32_t j, std::uint32_t from, std::uint32_t to) {
+void DiagramBuilder::add_arc(std::uint32_t i, std::uint32_t j, std::uint32_t from, std::uint32_t to) {
   if (i > j) std::swap(i, j), std::swap(from, to);
   arcs_.push_back({{i, j}, from, to, moebius_curve(sites_.site(i), sites_.site(j))});
-  return arcs_.back();
 }
 
-/// From the turn between the ends, seen from the centre. Where they are too close to tell nothing from a
-/// whole turn, the place across the circle is in the facet or not.
-bool DiagramBuilder::is_over_half(const MoebiusArc& arc, std::span<const FacetSide> sides) const {
+/// From the turn between the ends, seen from the centre. Ends too close to tell a tiny arc from nearly a
+/// whole circle: it is the latter if no arc of the facet is elsewhere and the place across the circle is in
+/// the facet.
+bool DiagramBuilder::is_over_half(const MoebiusArc& arc, std::span<const MoebiusArc> pieces,
+                                  std::span<const FacetSide> sides) const {
   const auto [i, j] = arc.sites;
-  const Vec2 from = places_[arc.from] - arc.curve.centre, to = places_[arc.to] - arc.curve.centre;
-  const bool ccw = sites_.site(i).lambda > sites_.site(j).lambda;
-  const bool turns_back = (cross(from, to) < 0) == ccw;
-  const Vec2 chord = to - from;
-  if (dot(chord, chord) > kNoTurn * dot(from, from)) return turns_back;
-  const Vec2 across = arc.curve.centre - from;
+  const Vec2 centre = arc.curve.centre, from = places_[arc.from] - centre, to = places_[arc.to] - centre;
+  const bool turns_back = (cross(from, to) < 0) == (sites_.site(i).lambda > sites_.site(j).lambda);
+  const auto is_near = [&](Vec2 a, Vec2 b) { return dot(b - a, b - a) <= kNoTurn * dot(from, from); };
+  if (!is_near(from, to)) return turns_back;
+  for (const MoebiusArc& other : pieces)
+    if (!is_near(places_[other.from] - centre, from) || !is_near(places_[other.to] - centre, from))
+      return false;
+  const Vec2 across = centre - from;
   const double nearest = moebius_distance(sites_.site(i), across);
   for (const FacetSide& side : sides)
     if (side.edge != kNone &&
         moebius_distance(sites_.site(third_site(edges_[side.edge].sites, i, j)), across) < nearest)
       return false;
-  return turns_back || cut_.size() == 1;
+  return turns_back || pieces.size() == 1;
 }
 
 void DiagramBuilder::sort_vertices() {

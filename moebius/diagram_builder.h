@@ -58,8 +58,9 @@ class DiagramBuilder {
 
   std::uint32_t vertex_at(const FacetSide& side, bool leaving) const;
   void add_whole_curve(std::uint32_t i, std::uint32_t j, std::span<const FacetSide> sides);
-  MoebiusArc& add_arc(std::uint32_t i, std::uint32_t j, std::uint32_t from, std::uint32_t to);
-  bool is_over_half(const MoebiusArc& arc, std::span<const FacetSide> sides) const;
+  void add_arc(std::uint32_t i, std::uint32_t j, std::uint32_t from, std::uint32_t to);
+  bool is_over_half(const MoebiusArc& arc, std::span<const MoebiusArc> pieces,
+                    std::span<const FacetSide> sides) const;
   void sort_vertices();
   void sort_arcs();
 

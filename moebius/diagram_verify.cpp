@@ -7,7 +7,7 @@
 namespace crossloft {
 namespace {
 
-/// Of the larger of the coordinates at hand: what the rounding of curves and vertices may add up to.
+/// What the rounding of curves and vertices may add up to, as a part of the coordinates that go into them.
 constexpr double kTolerance = 1e-6;
 
 /// The cells that an arc leads into and out of its ends: at `from` the border of the left cell begins and
@@ -28,22 +28,22 @@ double distance(const MoebiusCurve& curve, Vec2 p) {
 
 double size(Vec2 p) { return std::abs(p.x) + std::abs(p.y); }
 
-const char* broken_end(const MoebiusDiagram& diagram, const MoebiusArc& arc, std::uint32_t v) {
+const char* broken_end(const MoebiusDiagram& diagram, const MoebiusArc& arc, std::uint32_t v, double extent) {
   if (v == kNone) return nullptr;
   if (v >= diagram.vertices.size()) return "vertex out of range";
   const Vec2 p = diagram.vertices[v];
-  const double scale = size(p) + size(arc.curve.centre) + arc.curve.radius;
+  const double scale = extent + size(p) + size(arc.curve.centre) + arc.curve.radius;
   return distance(arc.curve, p) <= kTolerance * scale ? nullptr : "end off its curve";
 }
 
-const char* broken_arc(const MoebiusDiagram& diagram, const MoebiusArc& arc) {
+const char* broken_arc(const MoebiusDiagram& diagram, const MoebiusArc& arc, double extent) {
   const auto [i, j] = arc.sites;
   if (i >= diagram.sites.size() || j >= diagram.sites.size()) return "site out of range";
   if (i == j) return "one site on both sides";
   if (arc.curve.is_line != (diagram.sites[i].lambda == diagram.sites[j].lambda)) return "wrong kind of curve";
   if (!arc.curve.is_line && (arc.from == kNone) != (arc.to == kNone)) return "circle to infinity";
-  if (const char* broken = broken_end(diagram, arc, arc.from)) return broken;
-  return broken_end(diagram, arc, arc.to);
+  if (const char* broken = broken_end(diagram, arc, arc.from, extent)) return broken;
+  return broken_end(diagram, arc, arc.to, extent);
 }
 
 /// Three arcs, and the border of each of three cells comes in and goes out once.
@@ -69,9 +69,11 @@ std::string verify(const MoebiusDiagram& diagram) {
     if (vertices[v].count < 3) vertices[v].ends[vertices[v].count] = end;
     ++vertices[v].count;
   };
+  double extent = 0;
+  for (const MoebiusSite& site : diagram.sites) extent = std::max(extent, size(site.p));
   for (std::size_t a = 0; a < diagram.arcs.size(); ++a) {
     const MoebiusArc& arc = diagram.arcs[a];
-    if (const char* broken = broken_arc(diagram, arc)) return at("arc", a, broken);
+    if (const char* broken = broken_arc(diagram, arc, extent)) return at("arc", a, broken);
     add(arc.from, {arc.sites[0], arc.sites[1]});
     add(arc.to, {arc.sites[1], arc.sites[0]});
   }

@@ -41,12 +41,17 @@ class ArcPath {
     ccw_ = diagram.sites[arc.sites[0]].lambda > diagram.sites[arc.sites[1]].lambda;
     begin_ = from ? angle(*from) : 0;
     end_ = to ? angle(*to) : begin_;
-    const double turn = 2 * std::numbers::pi * (ccw_ ? 1 : -1);
-    if (!from || (ccw_ ? end_ < begin_ : end_ > begin_)) end_ += turn;
+    const double turn = 2 * std::numbers::pi * (ccw_ ? 1 : -1), sweep = end_ - begin_;
+    const bool is_tiny = from && std::abs(std::remainder(sweep, turn)) < 1e-6;
+    if (is_tiny)
+      end_ = begin_ + std::remainder(sweep, turn) + (arc.over_half ? turn : 0);
+    else if (!from || (ccw_ ? end_ < begin_ : end_ > begin_))
+      end_ += turn;
+    const double beyond_half = std::abs(end_ - begin_) - std::numbers::pi;
+    half_is_right_ = !from || is_tiny || std::abs(beyond_half) < 1e-6 || arc.over_half == (beyond_half > 0);
   }
 
-  double begin() const { return begin_; }
-  double end() const { return end_; }
+  bool half_is_right() const { return half_is_right_; }
   /// The part of the whole turn, or the length: how far apart the ends are.
   double extent() const { return curve_.is_line ? end_ - begin_ : std::abs(end_ - begin_) * curve_.radius; }
   Vec2 point(double s) const {
@@ -79,7 +84,7 @@ class ArcPath {
   double angle(Vec2 p) const { return std::atan2(p.y - curve_.centre.y, p.x - curve_.centre.x); }
 
   MoebiusCurve curve_;
-  bool ccw_ = true;
+  bool ccw_ = true, half_is_right_ = true;
   double begin_ = 0, end_ = 0;
 };
 
@@ -102,6 +107,7 @@ inline int wrong_arcs(const MoebiusDiagram& diagram, double reach) {
   int wrong = 0;
   for (const MoebiusArc& arc : diagram.arcs) {
     const ArcPath path(diagram, arc, reach);
+    wrong += !path.half_is_right();
     for (const double s : {0.03, 0.31, 0.5, 0.77, 0.98}) {
       const Vec2 x = path.point(s);
       if (length(x) > 1e6) continue;
