@@ -7,76 +7,11 @@
 #include <tuple>
 #include <utility>
 
+#include "arc_trace.h"
+#include "nearest_site.h"
+
 namespace crossloft {
 namespace {
-
-double distance_from(const MoebiusSite& site, Vec2 x) {
-  return site.lambda * dot(x - site.p, x - site.p) - site.mu;
-}
-
-/// True if none is nearer to x than the site, but for rounding.
-bool is_nearest(const std::vector<MoebiusSite>& sites, const MoebiusSite& site, Vec2 x) {
-  constexpr double kRounding = 1e-9;
-  const auto size = [x](const MoebiusSite& s) {
-    return std::abs(s.mu) + std::abs(s.lambda) * dot(x - s.p, x - s.p);
-  };
-  const MoebiusSite& nearest = sites[nearest_site(sites, x)];
-  return distance_from(site, x) - distance_from(nearest, x) <= kRounding * (size(site) + size(nearest));
-}
-
-/// On a circle, so near that rounding may have changed the order of the ends.
-bool ends_nearly_coincide(const MoebiusDiagram& diagram, const MoebiusArc& arc) {
-  constexpr double kTiny = 1e-6, kRounding = 1e-13;
-  const Vec2 centre = arc.curve.centre, chord = diagram.vertices[arc.to] - diagram.vertices[arc.from];
-  const double tiny = kTiny * arc.curve.radius + kRounding * (std::abs(centre.x) + std::abs(centre.y));
-  return dot(chord, chord) <= tiny * tiny;
-}
-
-bool same_sites(const MoebiusArc& a, const MoebiusArc& b) {
-  return a.sites == b.sites || (a.sites[0] == b.sites[1] && a.sites[1] == b.sites[0]);
-}
-
-/// Arcs whose ends nearly coincide are tiny or nearly whole circles, which their rounded ends can't tell.
-/// They are whole if no site is nearer on the far side of the circle (at three points, since one may be a
-/// vertex), and if nothing else of the circle is an arc: of several at one point the first is taken.
-bool is_nearly_whole(const MoebiusDiagram& diagram, const MoebiusArc& arc) {
-  const bool shared = std::any_of(diagram.arcs.begin(), diagram.arcs.end(), [&](const MoebiusArc& other) {
-    return same_sites(arc, other) && (&other < &arc || !ends_nearly_coincide(diagram, other));
-  });
-  const Vec2 back = arc.curve.centre - diagram.vertices[arc.from];
-  constexpr std::array<double, 3> kSlopes = {-0.7133, 0.0129, 0.6317};
-  return !shared && std::all_of(kSlopes.begin(), kSlopes.end(), [&](double slope) {
-    const Vec2 turned = (1 / std::sqrt(1 + slope * slope)) * (back + slope * Vec2{-back.y, back.x});
-    return is_nearest(diagram.sites, diagram.sites[arc.sites[0]], arc.curve.centre + turned);
-  });
-}
-
-void trace_circle(const MoebiusDiagram& diagram, const MoebiusArc& arc, std::vector<CurvePiece>& pieces) {
-  const auto& [is_line, centre, radius, direction] = arc.curve;
-  const bool ccw = diagram.sites[arc.sites[0]].lambda > diagram.sites[arc.sites[1]].lambda;
-  if (arc.from == kNone || arc.to == kNone) return append_circle(centre, radius, ccw, pieces);
-  const Vec2 from = diagram.vertices[arc.from], to = diagram.vertices[arc.to];
-  if (!ends_nearly_coincide(diagram, arc)) return append_arc(from, to, centre, radius, ccw, pieces);
-  if (!is_nearly_whole(diagram, arc)) return pieces.push_back({from, to, true, {}, 0, false});
-  append_arc(from, 2 * centre - from, centre, radius, ccw, pieces);
-  append_arc(2 * centre - from, to, centre, radius, ccw, pieces);
-}
-
-/// The arc as pieces; ends at infinity become points outside the box.
-std::vector<CurvePiece> trace(const MoebiusDiagram& diagram, const MoebiusArc& arc, const ViewBox& box) {
-  std::vector<CurvePiece> pieces;
-  if (!arc.curve.is_line) {
-    trace_circle(diagram, arc, pieces);
-    return pieces;
-  }
-  const auto end = [&](std::uint32_t vertex, std::uint32_t other, Vec2 direction) {
-    if (vertex != kNone) return diagram.vertices[vertex];
-    return far_along(other != kNone ? diagram.vertices[other] : arc.curve.centre, direction, box);
-  };
-  const Vec2 direction = arc.curve.direction;
-  pieces.push_back({end(arc.from, arc.to, -direction), end(arc.to, arc.from, direction), true, {}, 0, false});
-  return pieces;
-}
 
 /// True if a vertex lies so near to the border that it could be taken to be inside for one arc and outside
 /// for another.
@@ -278,13 +213,6 @@ DiagramInBox clip_diagram(const MoebiusDiagram& diagram, const ViewBox& view) {
   clipped.cells.resize(diagram.sites.size());
   OutlineChainer(diagram, clipped).chain();
   return clipped;
-}
-
-std::uint32_t nearest_site(const std::vector<MoebiusSite>& sites, Vec2 x) {
-  const auto nearest = std::min_element(
-      sites.begin(), sites.end(),
-      [x](const MoebiusSite& a, const MoebiusSite& b) { return distance_from(a, x) < distance_from(b, x); });
-  return nearest == sites.end() ? kNone : static_cast<std::uint32_t>(nearest - sites.begin());
 }
 
 std::vector<bool> sites_with_cell(const MoebiusDiagram& diagram) {

@@ -46,6 +46,12 @@ bool is_short(Vec2 from, Vec2 to, Vec2 centre, double radius, bool ccw) {
   return sine >= 0 && dot(a, b) >= -0.5 * radius * radius;
 }
 
+/// For a point of the circle: whether it is on the piece.
+bool is_on_arc(const CurvePiece& piece, Vec2 point) {
+  const Vec2 a = piece.from - piece.centre, b = piece.to - piece.centre, c = point - piece.centre;
+  return piece.ccw ? cross(a, c) >= 0 && cross(c, b) >= 0 : cross(a, c) <= 0 && cross(c, b) <= 0;
+}
+
 void cut_segment(const CurvePiece& piece, const Side& side, std::vector<Vec2>& cuts) {
   const double from = side.across(piece.from), to = side.across(piece.to);
   if ((from < side.value) == (to < side.value)) return;
@@ -60,11 +66,7 @@ void cut_arc(const CurvePiece& piece, const Side& side, std::vector<Vec2>& cuts)
   if (!(square >= 0)) return;
   const double half = std::sqrt(square);
   for (const double along : {side.along(piece.centre) - half, side.along(piece.centre) + half}) {
-    const Vec2 at = side.point(along), a = piece.from - piece.centre, b = piece.to - piece.centre,
-               c = at - piece.centre;
-    const bool on_arc =
-        piece.ccw ? cross(a, c) >= 0 && cross(c, b) >= 0 : cross(a, c) <= 0 && cross(c, b) <= 0;
-    if (on_arc && side.has(along)) cuts.push_back(at);
+    if (side.has(along) && is_on_arc(piece, side.point(along))) cuts.push_back(side.point(along));
   }
 }
 
@@ -97,6 +99,23 @@ CurvePiece reversed(const CurvePiece& piece) {
 Vec2 middle(const CurvePiece& piece) {
   if (piece.is_line) return 0.5 * (piece.from + piece.to);
   return arc_middle(piece.from, piece.to, piece.centre, piece.radius, piece.ccw);
+}
+
+ViewBox bounds_of(std::span<const CurvePiece> pieces) {
+  ViewBox box{pieces.front().from, pieces.front().from};
+  const auto add = [&box](Vec2 p) {
+    box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
+    box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y)};
+  };
+  for (const CurvePiece& piece : pieces) {
+    add(piece.from);
+    add(piece.to);
+    if (piece.is_line) continue;
+    const double r = piece.radius;
+    for (const Vec2 reach : {Vec2{r, 0}, Vec2{0, r}, Vec2{-r, 0}, Vec2{0, -r}})
+      if (is_on_arc(piece, piece.centre + reach)) add(piece.centre + reach);
+  }
+  return box;
 }
 
 void append_arc(Vec2 from, Vec2 to, Vec2 centre, double radius, bool ccw, std::vector<CurvePiece>& pieces) {

@@ -22,6 +22,9 @@ CurvePiece reversed(const CurvePiece& piece);
 /// The point half way along the piece.
 Vec2 middle(const CurvePiece& piece);
 
+/// The least box around the pieces. REQUIRES: there are some.
+ViewBox bounds_of(std::span<const CurvePiece> pieces);
+
 /// Appends the arc between two points of a circle as pieces of a third of a turn at most: ends and radius of
 /// a long arc fix its centre badly. Equal ends are an arc of no length.
 void append_arc(Vec2 from, Vec2 to, Vec2 centre, double radius, bool ccw, std::vector<CurvePiece>& pieces);

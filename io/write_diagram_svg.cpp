@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <utility>
 #include <vector>
 
+#include "arc_trace.h"
 #include "atomic_file.h"
 #include "byte_writer.h"
 #include "cell_colours.h"
@@ -18,43 +18,47 @@ namespace {
 constexpr std::array<const char*, 8> kPalette = {"#9ec5e8", "#f6c89f", "#b3dcb8", "#eeb0b5",
                                                  "#cdbfe6", "#f4e7a6", "#a5dcd9", "#dcc8b4"};
 
-/// Grows from nothing to the bounding box of what is added.
-class Bounds2 {
- public:
-  void add(Vec2 p, double reach = 0) {
-    box_.low = {std::min(box_.low.x, p.x - reach), std::min(box_.low.y, p.y - reach)};
-    box_.high = {std::max(box_.high.x, p.x + reach), std::max(box_.high.y, p.y + reach)};
-  }
-  bool empty() const { return !(box_.low.x <= box_.high.x); }
-  const ViewBox& box() const { return box_; }
+ViewBox grown(const ViewBox& box, Vec2 by) { return {box.low - by, box.high + by}; }
 
- private:
-  static constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  ViewBox box_{{kInfinity, kInfinity}, {-kInfinity, -kInfinity}};
-};
+ViewBox joined(const ViewBox& a, const ViewBox& b) {
+  return {{std::min(a.low.x, b.low.x), std::min(a.low.y, b.low.y)},
+          {std::max(a.high.x, b.high.x), std::max(a.high.y, b.high.y)}};
+}
+
+bool contains(const ViewBox& box, const ViewBox& part) {
+  return part.low.x >= box.low.x && part.high.x <= box.high.x && part.low.y >= box.low.y &&
+         part.high.y <= box.high.y;
+}
 
 double larger_side(const ViewBox& box) { return std::max(box.size().x, box.size().y); }
 
-ViewBox grown(const ViewBox& box, Vec2 by) { return {box.low - by, box.high + by}; }
-
-bool contains(const ViewBox& box, Vec2 p) {
-  return p.x >= box.low.x && p.x <= box.high.x && p.y >= box.low.y && p.y <= box.high.y;
+/// A whole circle, bounded by the sites' extent where they have one.
+bool is_whole_and_near(const MoebiusArc& arc, const ViewBox& sites) {
+  const double extent = larger_side(sites), reach = 0.5 * extent;
+  const Vec2 centre = arc.curve.centre;
+  return arc.from == kNone && (extent == 0 || (arc.curve.radius <= extent &&
+                                               contains(grown(sites, {reach, reach}), {centre, centre})));
 }
 
-/// Vertices within a quarter of the sites' extent, and whole circles that are neither larger than it nor centred
-/// further off than half of it; where the sites have no extent, any whole circle.
-void add_near(const MoebiusDiagram& diagram, Bounds2& bounds) {
-  const ViewBox sites = bounds.box();
-  const double extent = larger_side(sites);
-  const auto is_near = [&sites](Vec2 p, double reach) { return contains(grown(sites, {reach, reach}), p); };
+/// The sites; the vertices, and arcs of circles as a whole, within a quarter of the sites' extent around
+/// them; whole circles that are neither larger than that extent nor centred further off than half of it, and
+/// any if the sites have no extent.
+ViewBox box_of(const MoebiusDiagram& diagram) {
+  if (diagram.sites.empty()) return {};
+  ViewBox sites{diagram.sites[0].p, diagram.sites[0].p};
+  for (const MoebiusSite& site : diagram.sites) sites = joined(sites, {site.p, site.p});
+  const double reach = 0.3 * larger_side(sites);
+  const ViewBox near = grown(sites, {reach, reach});
+  ViewBox box = sites;
   for (const Vec2 v : diagram.vertices) {
-    if (is_near(v, 0.25 * extent)) bounds.add(v);
+    if (contains(near, {v, v})) box = joined(box, {v, v});
   }
   for (const MoebiusArc& arc : diagram.arcs) {
-    const auto& [is_line, centre, radius, direction] = arc.curve;
-    if (is_line || arc.from != kNone) continue;
-    if (extent == 0 || (radius <= extent && is_near(centre, 0.5 * extent))) bounds.add(centre, radius);
+    if (arc.curve.is_line) continue;
+    const ViewBox around = bounds_of(trace(diagram, arc, near));
+    if (contains(near, around) || is_whole_and_near(arc, sites)) box = joined(box, around);
   }
+  return box;
 }
 
 Result<PageMap> page_for(const MoebiusDiagram& diagram, const DiagramDrawing& drawing) {
@@ -213,11 +217,7 @@ class DiagramPage {
 
 ViewBox view_of(const MoebiusDiagram& diagram) {
   constexpr double kMargin = 0.08, kLeastAspect = 0.5, kLeastExtent = 1e-3;
-  Bounds2 bounds;
-  for (const MoebiusSite& site : diagram.sites) bounds.add(site.p);
-  if (bounds.empty()) bounds.add({});
-  add_near(diagram, bounds);
-  const ViewBox box = bounds.box();
+  const ViewBox box = box_of(diagram);
   double extent = larger_side(box);
   if (!(extent > 0))
     extent = std::max(1.0, kLeastExtent * std::max(std::abs(box.low.x), std::abs(box.low.y)));

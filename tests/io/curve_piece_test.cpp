@@ -55,6 +55,15 @@ TEST_CASE("a circle turns once in its direction") {
   }
 }
 
+TEST_CASE("bounds hold the parts of circles that bulge beyond their ends") {
+  std::vector<CurvePiece> pieces{{{0, 0}, {1, 0}, true, {}, 0, false}};
+  append_arc({1, 0}, {3, 0}, {2, 0}, 1, false, pieces);
+  const ViewBox box = bounds_of(pieces);
+  CHECK(box.low == Vec2{0, 0});
+  CHECK(box.high.x == doctest::Approx(3));
+  CHECK(box.high.y == doctest::Approx(1));
+}
+
 TEST_CASE("clipping a segment") {
   const auto parts = [](Vec2 from, Vec2 to) {
     return clip(std::vector<CurvePiece>{{from, to, true, {}, 0, false}}, kBox);
