@@ -14,10 +14,11 @@ bool is_finite(const MoebiusSite& s) {
   return is_finite(s.p) && std::isfinite(s.lambda) && std::isfinite(s.mu);
 }
 
-/// l |x|^2 - 2 (x, y).x + w = 0 in the plane moved to one of the sites.
+/// l |x|^2 - 2 (x, y).x + w = 0 in the plane moved to the site whose |lambda| is larger: it is nearer to the
+/// centre.
 MoebiusCurve circle_of(const MoebiusSite& i, const MoebiusSite& j) {
-  // The site of the larger |lambda| is nearer to the centre.
-  const bool i_is_base = std::abs(i.lambda) >= std::abs(j.lambda);
+  const double lead = std::abs(i.lambda) - std::abs(j.lambda);
+  const bool i_is_base = lead != 0 ? lead > 0 : i.lambda > 0;  // then they differ in sign
   const MoebiusSite &base = i_is_base ? i : j, &other = i_is_base ? j : i;
   const Vec2 d = other.p - base.p;
   const double l = other.lambda - base.lambda;
@@ -26,7 +27,7 @@ MoebiusCurve circle_of(const MoebiusSite& i, const MoebiusSite& j) {
 }
 
 /// 2 lambda d.x = lambda |d|^2 - (mu_j - mu_i), from p_i, d = p_j - p_i; the cell of i is where lambda d.x is
-/// smaller.
+/// smaller. REQUIRES: p_i < p_j.
 MoebiusCurve line_of(const MoebiusSite& i, const MoebiusSite& j) {
   const Vec2 d = j.p - i.p;
   const double squared = dot(d, d), step = 0.5 * (1 - (j.mu - i.mu) / (i.lambda * squared));
@@ -37,7 +38,11 @@ MoebiusCurve line_of(const MoebiusSite& i, const MoebiusSite& j) {
 }  // namespace
 
 MoebiusCurve moebius_curve(const MoebiusSite& i, const MoebiusSite& j) {
-  return i.lambda == j.lambda ? line_of(i, j) : circle_of(i, j);
+  if (i.lambda != j.lambda) return circle_of(i, j);
+  if (i.p < j.p) return line_of(i, j);
+  MoebiusCurve line = line_of(j, i);
+  line.direction = -line.direction;
+  return line;
 }
 
 Result<MoebiusDiagram> moebius_diagram(std::span<const MoebiusSite> sites) {
