@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "conform.h"
-#include "ridge_table.h"
 
 namespace crossloft::detail {
 
@@ -51,6 +50,10 @@ class Conformer {
   void remember(std::uint32_t k);
   void report(std::vector<Segment>& segments);
 
+  /// The same for both directions.
+  static std::uint64_t ends_key(std::uint32_t a, std::uint32_t b) {
+    return std::uint64_t{std::min(a, b)} << 32 | std::max(a, b);
+  }
   bool sharp(std::uint32_t v) const { return v < sharp_.size() && sharp_[v]; }
   std::pair<std::uint32_t, std::uint32_t> in_order(const Piece& p) const {
     return tri_.predicates().compare_lex(p.a, p.b) < 0 ? std::pair(p.a, p.b) : std::pair(p.b, p.a);
@@ -82,7 +85,7 @@ void Conformer<P, Split>::start(const std::vector<Segment>& segments) {
 
 template <class P, class Split>
 void Conformer<P, Split>::remember(std::uint32_t k) {
-  by_ends_.emplace(RidgeTable::key(pieces_[k].a, pieces_[k].b), k);
+  by_ends_.emplace(ends_key(pieces_[k].a, pieces_[k].b), k);
 }
 
 // ---- corners
@@ -152,7 +155,7 @@ void Conformer<P, Split>::split_piece(std::uint32_t k) {
   }
   const std::uint32_t v = tri_.insert(made, pieces_[k].a);
   for (const auto& [a, b] : tri_.removed_edges()) {
-    const auto [begin, end] = by_ends_.equal_range(RidgeTable::key(a, b));
+    const auto [begin, end] = by_ends_.equal_range(ends_key(a, b));
     for (auto it = begin; it != end; ++it) candidates_.push_back(it->second);
   }
   if (!makes_progress(pieces_[k], v)) {

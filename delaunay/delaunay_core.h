@@ -33,7 +33,6 @@
 
 #include "insertion_order.h"
 #include "perturbation.h"
-#include "ridge_table.h"
 #include "simplex_store.h"
 
 namespace crossloft::detail {
@@ -78,11 +77,9 @@ class DelaunayCore {
   bool is_hidden(std::uint32_t e) const { return is_above(locate(e, hint_), e); }
 
  private:
-  /// A facet of the cavity's boundary with the new cell over it: `cell` has the new point at `slot`.
+  /// A facet of the cavity's boundary, from both sides.
   struct Rim {
-    Simplex<D> cell;
-    std::size_t slot;
-    Facet outside;
+    Facet inside, outside;
   };
 
   bool extends_basis(std::uint32_t i) const;
@@ -97,15 +94,15 @@ class DelaunayCore {
   void dig(std::uint32_t e, std::uint32_t start);
   void note_removed(std::uint32_t cell, std::size_t slot);
   void note_vertex(std::uint32_t v);
-  void fill();
+  void fill(std::uint32_t e);
+  void join(Facet inside);
+  Facet around_ridge(Facet inside, std::size_t slot) const;
   void hide_inner_vertices();
-  void join(std::uint32_t cell, std::size_t apex);
   void note_incident(std::uint32_t cell);
   void keep_lowest();
 
   const P& predicates_;
   SimplexStore<D> cells_;
-  RidgeTable ridges_;
   std::array<std::uint32_t, D + 1> basis_{};  ///< the first affinely independent points
   int basis_size_ = 0;
   std::vector<std::uint32_t> pending_;   ///< points that wait for full dimension, but for the basis

@@ -7,6 +7,8 @@ namespace crossloft::detail {
 
 template <std::size_t D, class P>
 void DelaunayCore<D, P>::build(std::uint32_t first) {
+  // Twice as many triangles as points, about seven times as many tetrahedra if they are spread evenly.
+  if (first == 0) cells_.reserve(std::size_t{predicates_.size()} * (D == 2 ? 2 : 7));
   std::vector<std::array<double, D>> points(predicates_.size() - first);
   for (std::uint32_t i = 0; i < points.size(); ++i)
     for (std::size_t axis = 0; axis < D; ++axis)
@@ -73,9 +75,7 @@ void DelaunayCore<D, P>::make_first_cells() {
     cells_.add(ghost);
   }
   const auto slot_of = [&](std::uint32_t cell, std::uint32_t vertex) {
-    std::size_t slot = 0;
-    while (cells_.vertices(cell)[slot] != vertex) ++slot;
-    return Facet(cell, slot);
+    return Facet(cell, cells_.slot_of(cell, vertex));
   };
   for (std::uint32_t a = 0; a < missing.size(); ++a)
     for (std::uint32_t b = 0; b < a; ++b) cells_.link(slot_of(a, missing[b]), slot_of(b, missing[a]));
@@ -95,9 +95,10 @@ std::uint32_t DelaunayCore<D, P>::insert_in_full_dimension(std::uint32_t i, std:
     if (is_above(at, i)) return keep(i, kNone);
   }
   dig(i, at);
-  fill();
+  fill(i);
   ++vertex_count_;
   if constexpr (HasHeights<P>) hide_inner_vertices();
+  for (std::size_t k = cavity_.size(); k-- > 0;) cells_.release(cavity_[k]);
   return i;
 }
 
@@ -180,12 +181,13 @@ void DelaunayCore<D, P>::dig(std::uint32_t e, std::uint32_t start) {
         cells_.set_mark(next.cell(), mark);
         if (mark == stamp_) {
           cavity_.push_back(next.cell());
+          cells_.prefetch_neighbours(next.cell());
           // The other vertices are those of a cell that is in already.
           if constexpr (HasHeights<P>) note_vertex(cells_.vertices(next.cell())[next.slot()]);
         }
       }
       if (mark != stamp_) {
-        rim_.push_back({replaced(cells_.vertices(cell), slot, e), slot, next});
+        rim_.push_back({{cell, slot}, next});
       } else if (D == 2) {
         note_removed(cell, slot);
       }
@@ -209,13 +211,14 @@ void DelaunayCore<D, P>::note_vertex(std::uint32_t v) {
   dug_vertices_.push_back(v);
 }
 
-/// After fill(): vertices of the cavity that no new cell has.
+/// Hides the vertices of the cavity that are not on its rim.
 template <std::size_t D, class P>
 void DelaunayCore<D, P>::hide_inner_vertices() {
   const std::size_t on_rim = D == 2 ? rim_.size() : rim_.size() / 2 + 2;
   if (dug_vertices_.size() == on_rim) return;
   for (const Rim& rim : rim_)
-    for (const std::uint32_t v : rim.cell) vertex_marks_[v + 1] = stamp_ + 1;
+    for (std::size_t slot = 0; slot <= D; ++slot)
+      if (slot != rim.inside.slot()) vertex_marks_[cells_.vertices(rim.inside.cell())[slot] + 1] = stamp_ + 1;
   for (const std::uint32_t v : dug_vertices_) {
     if (vertex_marks_[v + 1] != stamp_) continue;
     keep(v, kNone);
@@ -224,36 +227,45 @@ void DelaunayCore<D, P>::hide_inner_vertices() {
   }
 }
 
-/// Stars the cavity from the new point: a cell over each facet of the rim, in the place of a removed one
-/// while there is one. Orientation and the ghost's slot are inherited from the cell that was dug out.
+/// Stars the cavity from e: over each facet of the rim a copy of the cell inside it with e in place of the
+/// apex, so that orientation, slots and the place of the ghost are inherited. The cavity stays for the time
+/// being; its way across the rim now leads to the new cell.
 template <std::size_t D, class P>
-void DelaunayCore<D, P>::fill() {
-  for (std::size_t k = cavity_.size(); k-- > 0;) cells_.release(cavity_[k]);
-  ridges_.reset(rim_.size() * D);
-  for (const Rim& rim : rim_) {
-    const std::uint32_t cell = cells_.add(rim.cell);
-    cells_.link({cell, rim.slot}, rim.outside);
-    join(cell, rim.slot);
-    note_incident(cell);
-    hint_ = cell;
+void DelaunayCore<D, P>::fill(std::uint32_t e) {
+  for (const auto& [inside, outside] : rim_) {
+    hint_ = cells_.add(replaced(cells_.vertices(inside.cell()), inside.slot(), e));
+    const Facet base(hint_, inside.slot());
+    cells_.link(base, outside);
+    cells_.redirect(inside, base);
+    note_incident(hint_);
   }
+  for (const Rim& rim : rim_) join(rim.inside);
 }
 
+/// Links the new cell over a facet of the rim to those over the facets beside it.
 template <std::size_t D, class P>
-void DelaunayCore<D, P>::join(std::uint32_t cell, std::size_t apex) {
-  const Simplex<D> v = cells_.vertices(cell);
-  for (std::size_t slot = 0; slot <= D; ++slot) {
-    if (slot == apex) continue;
-    // The ridge: the vertices at neither of the two slots.
-    std::uint64_t key;
-    if constexpr (D == 2) {
-      key = v[3 - slot - apex];
-    } else {
-      const std::size_t i = slot != 0 && apex != 0 ? 0 : slot != 1 && apex != 1 ? 1 : 2;
-      key = RidgeTable::key(v[i], v[6 - slot - apex - i]);
-    }
-    Facet other;
-    if (ridges_.match(key, {cell, slot}, other)) cells_.link({cell, slot}, other);
+void DelaunayCore<D, P>::join(Facet inside) {
+  const std::uint32_t cell = cells_.across(inside).cell();
+  for (std::size_t slot = 0; slot <= D; ++slot)
+    if (slot != inside.slot() && cells_.across({cell, slot}) == Facet())
+      cells_.link({cell, slot}, around_ridge(inside, slot));
+}
+
+/// The facet of the other new cell over a ridge of the rim: that of the cell at neither `slot` nor that of
+/// `inside`. Turns around the ridge through the cavity. Each edge of a cell of the cavity is passed once:
+/// linear time in all.
+template <std::size_t D, class P>
+Facet DelaunayCore<D, P>::around_ridge(Facet inside, std::size_t slot) const {
+  std::uint32_t cell = inside.cell();
+  std::size_t entered = inside.slot();
+  for (;;) {
+    const Facet next = cells_.across({cell, slot});
+    if (cells_.mark(next.cell()) != stamp_)
+      return {next.cell(), entered};  // a new cell, of the slots of `cell`
+    // The way on is opposite to the vertex that the facet just crossed has besides the ridge.
+    slot = cells_.slot_of(next.cell(), cells_.vertices(cell)[entered]);
+    cell = next.cell();
+    entered = next.slot();
   }
 }
 

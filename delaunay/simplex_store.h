@@ -37,11 +37,16 @@ class SimplexStore {
  public:
   std::uint32_t size() const { return static_cast<std::uint32_t>(cells_.size()); }
   const Simplex<D>& vertices(std::uint32_t cell) const { return cells_[cell].vertices; }
-  /// The same facet seen from the cell on its other side.
+  /// The same facet seen from the cell on its other side; Facet() in a cell just added.
   Facet across(Facet f) const { return cells_[f.cell()].neighbours[f.slot()]; }
   bool is_ghost(std::uint32_t cell) const { return cells_[cell].vertices[D] == kGhost; }
   bool is_free(std::uint32_t cell) const { return cells_[cell].vertices[0] == kNone; }
 
+  /// Makes room for a number of cells in all: a guess, for speed.
+  void reserve(std::size_t cells) {
+    cells_.reserve(cells);
+    marks_.reserve(cells);
+  }
   std::uint32_t add(const Simplex<D>& vertices) {
     if (free_.empty()) {
       cells_.push_back({vertices, {}});
@@ -50,7 +55,7 @@ class SimplexStore {
     }
     const std::uint32_t cell = free_.back();
     free_.pop_back();
-    cells_[cell].vertices = vertices;
+    cells_[cell] = {vertices, {}};
     return cell;
   }
   void release(std::uint32_t cell) {
@@ -61,7 +66,27 @@ class SimplexStore {
     cells_[a.cell()].neighbours[a.slot()] = b;
     cells_[b.cell()].neighbours[b.slot()] = a;
   }
+  /// Across `from` is now `to`, but not the other way round.
+  void redirect(Facet from, Facet to) { cells_[from.cell()].neighbours[from.slot()] = to; }
   void rename(std::uint32_t cell, const Simplex<D>& vertices) { cells_[cell].vertices = vertices; }
+
+  /// REQUIRES: it is one of the cell's.
+  std::size_t slot_of(std::uint32_t cell, std::uint32_t vertex) const {
+    const auto& v = vertices(cell);
+    std::size_t slot = D;
+    for (std::size_t k = 0; k < D; ++k) slot = v[k] == vertex ? k : slot;
+    return slot;
+  }
+
+  /// Asks for the neighbours of a cell that will be visited soon: no effect but speed.
+  void prefetch_neighbours(std::uint32_t cell) const {
+#if defined(__GNUC__)
+    for (const Facet f : cells_[cell].neighbours) {
+      __builtin_prefetch(&cells_[f.cell()]);
+      __builtin_prefetch(&marks_[f.cell()]);
+    }
+#endif
+  }
 
   std::uint32_t mark(std::uint32_t cell) const { return marks_[cell]; }
   void set_mark(std::uint32_t cell, std::uint32_t mark) { marks_[cell] = mark; }
@@ -84,7 +109,8 @@ class SimplexStore {
   }
 
  private:
-  struct Cell {
+  /// In space a cell is half a cache line, and should not lie across two.
+  struct alignas(D == 3 ? 32 : alignof(std::uint32_t)) Cell {
     Simplex<D> vertices;
     std::array<Facet, D + 1> neighbours;
   };
