@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "../geom/bounded.h"
+#include "site_filters.h"
 #include "site_rows.h"
 
 namespace crossloft {
@@ -128,12 +129,14 @@ int SitePredicates::sign_of(const Polynomial& polynomial) const {
 }
 
 int SitePredicates::orient3d(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) const {
+  if (const int sign = site_orient3d_filter(sites_[a], sites_[b], sites_[c], sites_[d])) return sign;
   // det(-l, x, y) = -det(x, y, l).
   return sign_of([&](const auto& row) { return -det3(row(b, a), row(c, a), row(d, a)); });
 }
 
 int SitePredicates::power_test(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d,
                                std::uint32_t e) const {
+  if (const int sign = site_power_filter(sites_[a], sites_[b], sites_[c], sites_[d], sites_[e])) return sign;
   // -det(-l, x, y, w) = det(x, y, l, w): with all heights 1 over e, det(position, 1) is minus the
   // orientation.
   return sign_of([&](const auto& row) { return det4(row(a, e), row(b, e), row(c, e), row(d, e)); });

@@ -4,6 +4,7 @@
 #include <random>
 #include <vector>
 
+#include "../../moebius/site_filters.h"
 #include "../../moebius/site_predicates.h"
 
 using namespace crossloft;
@@ -189,4 +190,48 @@ TEST_CASE("power vertices against the paraboloid") {
   }
   CHECK(inside > 100);
   CHECK(on > 100);
+}
+
+namespace {
+
+/// A computed value: its size and its distance from the true one, as multiples of the maxima that a bound is
+/// made of.
+struct Tracked {
+  mpq_class size, error;
+};
+
+const mpq_class kUnit(filters::kU);
+
+Tracked rounded(const mpq_class& size, const mpq_class& error) {
+  return {size * (1 + kUnit), error + size * kUnit};
+}
+Tracked operator+(const Tracked& a, const Tracked& b) { return rounded(a.size + b.size, a.error + b.error); }
+Tracked operator*(const Tracked& a, const Tracked& b) {
+  return rounded(a.size * b.size, a.size * b.error + b.size * a.error + a.error * b.error);
+}
+
+/// An entry of computed size 1, rounded `times` times.
+Tracked entry(int times) {
+  mpq_class growth = 1;
+  for (int k = 0; k < times; ++k) growth /= 1 - kUnit;
+  return {1, growth - 1};
+}
+
+void check_constant(double constant, const Tracked& determinant) {
+  mpq_class least(constant);
+  for (int k = 0; k < 6; ++k) least *= 1 - kUnit;
+  CHECK(least >= determinant.error);
+  CHECK(least <= determinant.error * mpq_class(101, 100));
+}
+
+}  // namespace
+
+TEST_CASE("error constants of the filters, recomputed") {
+  const Tracked minor = entry(2) * entry(2) + entry(2) * entry(2), term = minor * entry(1);
+  const Tracked det = (term + term) + term;
+  check_constant(filters::kSiteOrient3dError, det);
+  const Tracked height{entry(3).error + 1,
+                       entry(6).error + 9 * kUnit * kUnit};  // W is rounded three times itself
+  const Tracked pair = height * det + height * det;
+  check_constant(filters::kSitePowerError, pair + pair);
 }
