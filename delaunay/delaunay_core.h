@@ -44,6 +44,8 @@ class DelaunayCore {
 
   /// Inserts the points of the predicates object from `first` on.
   void build(std::uint32_t first = 0);
+  /// Inserts all points in the order of their indices: for points stored in insertion_order.
+  void build_in_given_order();
   /// Inserts point i, searching from vertex `near` if the dimension is 2 and it is given.
   std::uint32_t insert(std::uint32_t i, std::uint32_t near = kNone);
 
@@ -82,6 +84,7 @@ class DelaunayCore {
     Facet inside, outside;
   };
 
+  void make_room();
   bool extends_basis(std::uint32_t i) const;
   void wait_for_basis(std::uint32_t i);
   void make_first_cells();
@@ -120,4 +123,5 @@ class DelaunayCore {
 
 }  // namespace crossloft::detail
 
+#include "delaunay_cavity_impl.h"
 #include "delaunay_core_impl.h"

@@ -40,8 +40,16 @@ class Regular3 {
  public:
   explicit Regular3(const P& predicates) : predicates_(predicates), space_(predicates) {}
 
-  /// Triangulates all sites. Call it once.
-  void build();
+  /// Triangulates all sites. Call it once, or the next.
+  void build() {
+    space_.build();
+    build_lower_dimension();
+  }
+  /// As build(), faster if the sites are stored in insertion_order, possibly very slow if not.
+  void build_in_given_order() {
+    space_.build_in_given_order();
+    build_lower_dimension();
+  }
   /// Of the affine hull of the positions: -1 no sites, 0 all in one place, 1 collinear, 2 coplanar, 3
   /// otherwise.
   int dimension() const { return space_.dimension(); }
@@ -64,6 +72,8 @@ class Regular3 {
   std::string verify() const;
 
  private:
+  void build_lower_dimension();
+
   const P& predicates_;
   detail::DelaunayCore<3, P> space_;
   std::optional<detail::PowerProjection<P>> plane_;  ///< dimension 2
@@ -73,8 +83,7 @@ class Regular3 {
 };
 
 template <PowerPredicates3 P>
-void Regular3<P>::build() {
-  space_.build();
+void Regular3<P>::build_lower_dimension() {
   if (dimension() == 2) {
     const auto& b = space_.basis();
     int drop = 0;

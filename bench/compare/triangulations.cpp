@@ -18,9 +18,8 @@
 
 #include "../../delaunay/delaunay3.h"
 #include "../../delaunay/lattice_predicates.h"
-#include "../../delaunay/regular3.h"
+#include "../../delaunay/regular_triangulation.h"
 #include "../../delaunay/vec3_predicates.h"
-#include "../../delaunay/weighted_predicates.h"
 
 namespace {
 
@@ -87,12 +86,10 @@ void regular(benchmark::State& state) {
   for (auto _ : state)
     duel.round(
         [&] {
-          const WeightedPredicates3 predicates(sites);
-          Regular3 triangulation(predicates);
-          triangulation.build();
-          tets = triangulation.tet_mesh().size();
-          hidden = 0;
-          for (std::uint32_t i = 0; i < sites.size(); ++i) hidden += !triangulation.is_vertex(i);
+          const RegularTriangulation triangulation = regular_triangulation(sites);
+          tets = triangulation.tets.size();
+          hidden = static_cast<std::size_t>(
+              std::count(triangulation.kept.begin(), triangulation.kept.end(), kNone));
         },
         [&] {
           const CGAL::Regular_triangulation_3<Kernel> triangulation(theirs.begin(), theirs.end());

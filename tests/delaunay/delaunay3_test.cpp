@@ -107,7 +107,8 @@ TEST_CASE("points added later give what all points at once give") {
       predicates.known = static_cast<std::uint32_t>(points.size());
       triangulation.extend(first);
       CHECK(triangulation.verify() == "");
-      CHECK(point_sets::by_rank(triangulation.tet_mesh().vertices, point_sets::ranks(points)) == tets_by_rank(points));
+      CHECK(point_sets::by_rank(triangulation.tet_mesh().vertices, point_sets::ranks(points)) ==
+            tets_by_rank(points));
     }
   }
 }

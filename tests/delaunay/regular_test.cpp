@@ -5,6 +5,7 @@
 #include "../../delaunay/delaunay3.h"
 #include "../../delaunay/lattice_predicates.h"
 #include "../../delaunay/regular3.h"
+#include "../../delaunay/regular_triangulation.h"
 #include "../../delaunay/weighted_predicates.h"
 #include "brute_force.h"
 #include "point_sets.h"
@@ -38,12 +39,30 @@ void check_kept(const T& triangulation, const Sites& sites) {
   }
 }
 
+/// The one call says the same in the same numbers.
+void check_one_call(const Regular3<WeightedPredicates3>& triangulation, const Sites& sites) {
+  const RegularTriangulation result = regular_triangulation(sites);
+  CHECK(result.dimension == triangulation.dimension());
+  REQUIRE(result.kept.size() == sites.size());
+  std::vector<std::uint32_t> identity(sites.size());
+  for (std::uint32_t i = 0; i < sites.size(); ++i) {
+    CHECK(result.kept[i] == triangulation.kept(i));
+    identity[i] = i;
+  }
+  CHECK(point_sets::by_rank(result.tets.vertices, identity) ==
+        point_sets::by_rank(triangulation.tet_mesh().vertices, identity));
+  CHECK(point_sets::by_rank(result.triangles.vertices, identity) ==
+        point_sets::by_rank(triangulation.tri_mesh().vertices, identity));
+  CHECK(result.chain == triangulation.chain());
+}
+
 Outcome triangulate(const Sites& sites) {
   const WeightedPredicates3 predicates(sites);
   Regular3 triangulation(predicates);
   triangulation.build();
   CHECK(triangulation.verify() == "");
   check_kept(triangulation, sites);
+  check_one_call(triangulation, sites);
   const auto rank = point_sets::ranks(site_sets::positions(sites));
   Outcome outcome{triangulation.dimension(),
                   point_sets::by_rank(triangulation.tet_mesh().vertices, rank),

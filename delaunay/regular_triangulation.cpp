@@ -1,0 +1,59 @@
+#include "regular_triangulation.h"
+
+#include <algorithm>
+#include <array>
+
+#include "insertion_order.h"
+#include "regular3.h"
+#include "weighted_predicates.h"
+
+namespace crossloft {
+namespace {
+
+std::vector<std::uint32_t> order_of(std::span<const WeightedPoint> points) {
+  std::vector<std::array<double, 3>> places;
+  places.reserve(points.size());
+  for (const WeightedPoint& p : points) places.push_back({p.position.x, p.position.y, p.position.z});
+  return insertion_order(std::span<const std::array<double, 3>>(places));
+}
+
+/// For each vertex the lowest of the points, by their first numbers, that it stands for; kNone for others.
+std::vector<std::uint32_t> first_numbers(const Regular3<WeightedPredicates3>& triangulation,
+                                         const std::vector<std::uint32_t>& order) {
+  std::vector<std::uint32_t> number(order.size(), kNone);
+  for (std::uint32_t k = 0; k < order.size(); ++k)
+    if (const std::uint32_t v = triangulation.kept(k); v != kNone) number[v] = std::min(number[v], order[k]);
+  return number;
+}
+
+template <std::size_t N>
+void renumber(std::vector<std::array<std::uint32_t, N>>& simplices,
+              const std::vector<std::uint32_t>& number) {
+  for (auto& simplex : simplices)
+    for (std::uint32_t& v : simplex) v = number[v];
+}
+
+}  // namespace
+
+RegularTriangulation regular_triangulation(std::span<const WeightedPoint> points) {
+  const std::vector<std::uint32_t> order = order_of(points);
+  std::vector<WeightedPoint> stored;
+  stored.reserve(points.size());
+  for (const std::uint32_t i : order) stored.push_back(points[i]);
+  const WeightedPredicates3 predicates(stored);
+  Regular3 triangulation(predicates);
+  triangulation.build_in_given_order();
+
+  const std::vector<std::uint32_t> number = first_numbers(triangulation, order);
+  RegularTriangulation result{triangulation.dimension(),    std::vector<std::uint32_t>(points.size(), kNone),
+                              triangulation.tet_mesh(),     triangulation.tri_mesh(),
+                              triangulation.dropped_axis(), triangulation.chain()};
+  for (std::uint32_t k = 0; k < order.size(); ++k)
+    if (const std::uint32_t v = triangulation.kept(k); v != kNone) result.kept[order[k]] = number[v];
+  renumber(result.tets.vertices, number);
+  renumber(result.triangles.vertices, number);
+  for (std::uint32_t& v : result.chain) v = number[v];
+  return result;
+}
+
+}  // namespace crossloft
