@@ -281,50 +281,65 @@ void CellDiagrams::face_arcs(std::uint32_t face, std::vector<FaceArc>& arcs) {
     arc.to_infinite = piece.to.side == facet_.sides.size();
     if (!arc.from_infinite) arc.from = crossing(piece.from, face);
     if (!arc.to_infinite) arc.to = crossing(piece.to, face);
-    arc.over_half = !curve.is_line && is_over_half(arc, face);
     arcs.push_back(arc);
   }
+  if (curve.is_line) return;
+  const std::span<FaceArc> ours(arcs.end() - static_cast<std::ptrdiff_t>(pieces_.size()), arcs.end());
+  for (FaceArc& arc : ours) arc.over_half = is_over_half(arc, ours, face);
 }
 
 /// The side of the chord that the centre is on tells, but where the ends are so close that rounding may have
-/// swapped them: there the place across the circle is in the facet or not.
-bool CellDiagrams::is_over_half(const FaceArc& arc, std::uint32_t face) const {
-  const Vec2 chord = arc.to - arc.from, to_centre = arc.curve.centre - arc.from;
-  const bool turns_back = (cross(chord, to_centre) < 0) != arc.clockwise;
-  if (dot(chord, chord) > 1e-16 * dot(to_centre, to_centre) + 1e-24 * dot(arc.from, arc.from))
-    return turns_back;
-  return (turns_back || pieces_.size() == 1) &&
-         facet_holds(site(facet_.i, face), arc.curve.centre + to_centre, face);
+/// swapped them. There the place across the circle is in the facet, and no other arc's, or the arc is a short
+/// one.
+bool CellDiagrams::is_over_half(const FaceArc& arc, std::span<const FaceArc> of_facet,
+                                std::uint32_t face) const {
+  const auto is_closed = [](const FaceArc& a) {
+    const Vec2 chord = a.to - a.from, to_centre = a.curve.centre - a.from;
+    return dot(chord, chord) <= 1e-16 * dot(to_centre, to_centre) + 1e-24 * dot(a.from, a.from);
+  };
+  const Vec2 to_centre = arc.curve.centre - arc.from;
+  const bool turns_back = (cross(arc.to - arc.from, to_centre) < 0) != arc.clockwise;
+  if (!is_closed(arc)) return turns_back;
+  return (turns_back || of_facet.size() == 1) && std::all_of(of_facet.begin(), of_facet.end(), is_closed) &&
+         facet_holds(site(facet_.i, face), arc.curve.centre + to_centre, face, 1e-9);
 }
 
+/// A root of the side. Where the surface passes through a corner, rounding may have put the corner on the
+/// wrong side and the root that was chosen may be far away: the nearest place on the side is right then.
 Vec2 CellDiagrams::crossing(const FacetCrossing& at, std::uint32_t face) {
-  const std::uint32_t i = facet_.i, j = facet_.j, apex = facet_.sides[at.side].apex;
-  const TangentSpheres spheres(axis(at.side), frame(face), height(std::min(i, apex), face));
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  const VoronoiSide& side = facet_.sides[at.side];
+  const TriangleAxis& line = axis(at.side);
+  const TangentSpheres spheres(line, frame(face), height(std::min(facet_.i, side.apex), face));
   // The surface is left at the second root along the side, which runs along the normal of (i, j, apex).
   const Passage passage = passages_[at.side];
   const bool second = passage == Passage::leaves || (passage == Passage::dips && at.root == 1);
-  const bool along_axis = apex < i || apex > j;
-  return spheres.touch(second == along_axis);
+  const bool along_axis = side.apex < facet_.i || side.apex > facet_.j;
+  const double way = along_axis ? kInfinity : -kInfinity;
+  const double from = side.from == kNone ? -way : line.place_of(point(side.from_vertex));
+  const double to = side.to == kNone ? way : line.place_of(point(side.to_vertex));
+  return spheres.touch(second == along_axis, std::min(from, to), std::max(from, to));
 }
 
 /// All corners and sides are outside, so the circle lies within the facet or misses it, as any one of its
-/// points does.
+/// points does. Two are asked, since one may be a tie.
 void CellDiagrams::whole_circle(std::uint32_t face, std::vector<FaceArc>& arcs) const {
   const FaceSite i = site(facet_.i, face), j = site(facet_.j, face);
   if (i.height == j.height) return;
   const Vec2 at = near_point_of_circle(i, j);
-  if (facet_holds(i, at, face))
-    arcs.push_back(
-        {{facet_.i, facet_.j}, tangent_curve(i, j), at, at, i.height > j.height, false, true, false, false});
+  if (!facet_holds(i, at, face, 0)) return;
+  const MoebiusCurve curve = tangent_curve(i, j);
+  if (!facet_holds(i, 2 * curve.centre - at, face, 0)) return;
+  arcs.push_back({{facet_.i, facet_.j}, curve, at, at, i.height > j.height, false, true, false, false});
 }
 
-/// True iff no site around is nearer at a point of the curve of i and j.
-bool CellDiagrams::facet_holds(const FaceSite& i, Vec2 at, std::uint32_t face) const {
+/// True iff no site around is nearer at a point of the curve of i and j, all of them farther by the margin.
+bool CellDiagrams::facet_holds(const FaceSite& i, Vec2 at, std::uint32_t face, double margin) const {
   const Vec3 centre = frame(face).to_space(at) + tangent_radius(i, at) * frame(face).up();
   const Vec3 to_centre = centre - point(facet_.i);
   return std::none_of(facet_.sides.begin(), facet_.sides.end(), [&](const VoronoiSide& side) {
     const Vec3 w = point(side.apex) - point(facet_.i);
-    return (on(side.apex) >> face & 1) == 0 && dot(w, w) < 2 * dot(w, to_centre);
+    return (on(side.apex) >> face & 1) == 0 && dot(w, w) < 2 * dot(w, to_centre) * (1 + margin);
   });
 }
 

@@ -118,8 +118,8 @@ class CellDiagrams {
   std::uint64_t dips(std::size_t side, std::uint64_t faces);
   const TriangleAxis& axis(std::size_t side);
   void face_arcs(std::uint32_t face, std::vector<FaceArc>& arcs);
-  bool facet_holds(const FaceSite& i, Vec2 at, std::uint32_t face) const;
-  bool is_over_half(const FaceArc& arc, std::uint32_t face) const;
+  bool facet_holds(const FaceSite& i, Vec2 at, std::uint32_t face, double margin) const;
+  bool is_over_half(const FaceArc& arc, std::span<const FaceArc> of_facet, std::uint32_t face) const;
   void whole_circle(std::uint32_t face, std::vector<FaceArc>& arcs) const;
   Vec2 crossing(const FacetCrossing& at, std::uint32_t face);
 

@@ -21,12 +21,14 @@ TangentSpheres::TangentSpheres(const TriangleAxis& axis, const FaceFrame& frame,
   discriminant_ = r * r * dot(axis.normal, axis.normal) - slant_ * square;
 }
 
-Vec2 TangentSpheres::touch(bool upper) const {
+Vec2 TangentSpheres::touch(bool upper, double least, double most) const {
   const double root = std::sqrt(std::max(0.0, discriminant_));
   // The root of larger size by adding, the other one by the product of both: nothing cancels.
   const double q = half_sum_ >= 0 ? half_sum_ + root : half_sum_ - root;
   double s = q != 0 ? radius_excess_ / q : 0;
   if (upper == (half_sum_ >= 0) && slant_ > 0) s = q / slant_;
+  if (s < least) s = least;
+  if (s > most) s = most;
   return frame_.to_plane(axis_.base + axis_.centre + s * axis_.normal);
 }
 

@@ -15,6 +15,11 @@ struct TriangleAxis {
   Vec3 normal;  ///< (b - a) x (c - a), any length
 
   TriangleAxis(Vec3 a, Vec3 b, Vec3 c);
+  /// s of the sphere that passes through `point` too.
+  double place_of(Vec3 point) const {
+    const Vec3 w = point - base;
+    return (dot(w, w) - 2 * dot(w, centre)) / (2 * dot(w, normal));
+  }
 };
 
 /// The two spheres through three points on one side of a face that are tangent to it. Between their centres
@@ -29,9 +34,9 @@ class TangentSpheres {
   TangentSpheres(const TriangleAxis& axis, const FaceFrame& frame, double height);
 
   bool exist() const { return slant_ > 0 && discriminant_ > 0; }
-  /// Where the lower one (its centre first along the normal), or the upper one, touches the face. If there is
-  /// none, where one nearly does.
-  Vec2 touch(bool upper) const;
+  /// Where the lower one (its centre first along the normal), or the upper one, touches the face. Its place
+  /// on the axis is kept between `least` and `most`; if there is none, where one nearly does.
+  Vec2 touch(bool upper, double least, double most) const;
   /// True iff the point (not one of the three) is farther than the three from the middle between both
   /// centres. REQUIRES: exist().
   bool farther_from_middle(Vec3 point) const {

@@ -24,7 +24,8 @@ struct Cell {
   std::vector<std::uint64_t> on_faces;
   TetMesh mesh;
 
-  CellSites sites() const { return {points, &mesh, frames, on_faces, 1, {}}; }
+  std::uint32_t words() const { return static_cast<std::uint32_t>((planes.size() + 63) / 64); }
+  CellSites sites() const { return {points, &mesh, frames, on_faces, words(), {}}; }
   bool contains(const LatticePoint& p) const {
     for (std::size_t f = 0; f < planes.size(); ++f)
       if (side_of_plane(planes[f], p) == -sides[f]) return false;
@@ -33,12 +34,11 @@ struct Cell {
   void add(const LatticePoint& p) { points.push_back(p); }
   /// Masks and triangulation of the points added.
   void finish() {
-    for (const LatticePoint& p : points) {
-      std::uint64_t mask = 0;
+    on_faces.assign(points.size() * words(), 0);
+    for (std::size_t v = 0; v < points.size(); ++v)
       for (std::size_t f = 0; f < planes.size(); ++f)
-        if (side_of_plane(planes[f], p) == 0) mask |= std::uint64_t{1} << f;
-      on_faces.push_back(mask);
-    }
+        if (side_of_plane(planes[f], points[v]) == 0)
+          on_faces[v * words() + f / 64] |= std::uint64_t{1} << f % 64;
     const LatticePredicates3 predicates(points);
     Delaunay3 triangulation(predicates);
     triangulation.build();
@@ -106,17 +106,20 @@ using Diagrams = std::vector<std::vector<FaceArc>>;
 inline Diagrams all_arcs(const Cell& cell, std::span<const Box2> regions = {}) {
   CellSites sites = cell.sites();
   sites.regions = regions;
-  CellDiagrams diagrams(sites);
   Diagrams arcs(cell.planes.size());
-  diagrams.arcs([](const TetEdge&) { return ~std::uint64_t{0}; }, arcs);
+  for (std::uint32_t word = 0; word < sites.words; ++word) {
+    CellDiagrams diagrams(sites, word);
+    diagrams.arcs([](const TetEdge&) { return ~std::uint64_t{0}; },
+                  std::span(arcs).subspan(64 * std::size_t{word}, diagrams.face_count()));
+  }
   return arcs;
 }
 
 /// The sites of a face by vertex; height 0 on the face.
 inline std::vector<FaceSite> sites_of(const Cell& cell, std::uint32_t face) {
-  const CellDiagrams diagrams(cell.sites());
+  const CellDiagrams diagrams(cell.sites(), face / 64);
   std::vector<FaceSite> sites;
-  for (std::uint32_t v = 0; v < cell.points.size(); ++v) sites.push_back(diagrams.site(v, face));
+  for (std::uint32_t v = 0; v < cell.points.size(); ++v) sites.push_back(diagrams.site(v, face % 64));
   return sites;
 }
 
@@ -136,38 +139,41 @@ struct ScanCrossing {
   std::uint32_t before, behind;
 };
 
+/// A point of the circle on the arc from one end counter-clockwise to the other, at most half of it: to the
+/// right of the chord, in its disk.
+inline bool on_short_arc(Vec2 from, Vec2 to, Vec2 p) {
+  const Vec2 mid = 0.5 * (from + to), half = 0.5 * (to - from);
+  return cross(half, p - from) < 0 && dot(p - mid, p - mid) <= 1.0001 * dot(half, half);
+}
+
+/// Whether a point of the curve is on the arc.
 inline bool on_arc(const FaceArc& arc, Vec2 p) {
   if (arc.whole) return true;
   if (arc.curve.is_line)
     return (arc.from_infinite || dot(p - arc.from, arc.curve.direction) >= 0) &&
            (arc.to_infinite || dot(arc.to - p, arc.curve.direction) >= 0);
-  return cross(arc.to - arc.from, p - arc.from) < 0;  // counter-clockwise: to the right of the chord
+  const Vec2 from = arc.clockwise ? arc.to : arc.from, to = arc.clockwise ? arc.from : arc.to;
+  return arc.over_half ? !on_short_arc(to, from, p) : on_short_arc(from, to, p);
 }
 
-/// All crossings of the line { y } with the arcs, left to right. `sites` tell which circles run clockwise.
-inline std::vector<ScanCrossing> scan(const std::vector<FaceArc>& arcs, const std::vector<FaceSite>& sites,
-                                      double y) {
+/// All crossings of the line { y } with the arcs, left to right.
+inline std::vector<ScanCrossing> scan(const std::vector<FaceArc>& arcs, double y) {
   std::vector<ScanCrossing> crossings;
   for (const FaceArc& arc : arcs) {
     const auto [i, j] = arc.sites;
     const auto cross_at = [&](double x, bool upwards) {
-      crossings.push_back({x, upwards ? i : j, upwards ? j : i});
+      if (on_arc(arc, {x, y})) crossings.push_back({x, upwards ? i : j, upwards ? j : i});
     };
     const MoebiusCurve& curve = arc.curve;
     if (curve.is_line) {
-      const double x = curve.centre.x + (y - curve.centre.y) / curve.direction.y * curve.direction.x;
-      if (on_arc(arc, {x, y})) cross_at(x, curve.direction.y > 0);
+      cross_at(curve.centre.x + (y - curve.centre.y) / curve.direction.y * curve.direction.x,
+               curve.direction.y > 0);
       continue;
     }
-    const bool ccw = sites[i].height < sites[j].height;
-    FaceArc turned = arc;
-    if (!ccw) std::swap(turned.from, turned.to);
-    const double dy = y - curve.centre.y, square = (curve.radius - dy) * (curve.radius + dy);
-    if (square <= 0) continue;
-    for (const double way : {-1.0, 1.0}) {
-      const double x = curve.centre.x + way * std::sqrt(square);
-      if (on_arc(turned, {x, y})) cross_at(x, (way > 0) == ccw);
-    }
+    const double dy = y - curve.centre.y, rest = (curve.radius - dy) * (curve.radius + dy);
+    if (rest <= 0) continue;
+    cross_at(curve.centre.x - std::sqrt(rest), arc.clockwise);
+    cross_at(curve.centre.x + std::sqrt(rest), !arc.clockwise);
   }
   std::sort(crossings.begin(), crossings.end(), [](const auto& a, const auto& b) { return a.x < b.x; });
   return crossings;
@@ -183,7 +189,7 @@ inline std::size_t check_by_scan(const std::vector<FaceArc>& arcs, const std::ve
     const double y = box.low.y + part * (box.high.y - box.low.y);
     // The ends of the line have no cell beyond.
     std::vector<ScanCrossing> crossings{{box.low.x, kNone, kNone}};
-    for (const ScanCrossing& c : scan(arcs, sites, y))
+    for (const ScanCrossing& c : scan(arcs, y))
       if (c.x > box.low.x && c.x < box.high.x) crossings.push_back(c);
     crossings.push_back({box.high.x, kNone, kNone});
     for (std::size_t c = 0; c + 1 < crossings.size(); ++c) {
