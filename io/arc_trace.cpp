@@ -9,16 +9,20 @@
 namespace crossloft {
 namespace {
 
-/// So near on a circle that rounding may have changed the order of the ends.
-bool ends_nearly_coincide(const MoebiusCurve& circle, Vec2 from, Vec2 to) {
+double length(Vec2 v) { return std::sqrt(dot(v, v)); }
+
+/// So near on a circle that rounding may have changed the order of the ends. Where circles nearly touch, ends
+/// are known to half the digits only; `scale` is the size of what is around them.
+bool ends_nearly_coincide(const MoebiusCurve& circle, Vec2 from, Vec2 to, double scale) {
   constexpr double kTiny = 1e-6, kRounding = 1e-13;
-  const double tiny =
-      kTiny * circle.radius + kRounding * (std::abs(circle.centre.x) + std::abs(circle.centre.y));
-  return dot(to - from, to - from) <= tiny * tiny;
+  return length(to - from) <= kTiny * std::min(circle.radius, scale) + kRounding * length(from);
 }
 
 bool ends_nearly_coincide(const MoebiusDiagram& diagram, const MoebiusArc& arc) {
-  return ends_nearly_coincide(arc.curve, diagram.vertices[arc.from], diagram.vertices[arc.to]);
+  const Vec2 from = diagram.vertices[arc.from], to = diagram.vertices[arc.to];
+  const double scale =
+      length(from - diagram.sites[arc.sites[0]].p) + length(from - diagram.sites[arc.sites[1]].p);
+  return ends_nearly_coincide(arc.curve, from, to, scale);
 }
 
 bool same_sites(const MoebiusArc& a, const MoebiusArc& b) {
@@ -50,23 +54,67 @@ bool is_nearly_whole(const MoebiusDiagram& diagram, const MoebiusArc& arc) {
   });
 }
 
-std::vector<CurvePiece> trace_circle(const ArcShape& arc) {
+CurvePiece segment(Vec2 from, Vec2 to) { return {from, to, true, {}, 0, false}; }
+
+double larger_side(const ViewBox& box) { return std::max(box.size().x, box.size().y); }
+
+/// How far an arc of at most half a turn is from its chord, not underestimated.
+double height_over_chord(const CurvePiece& piece) {
+  const Vec2 chord = piece.to - piece.from;
+  return std::min(piece.radius, dot(chord, chord) / (4 * piece.radius));
+}
+
+bool misses(const CurvePiece& piece, const ViewBox& box) {
+  const double reach = height_over_chord(piece);
+  return std::max(piece.from.x, piece.to.x) + reach < box.low.x ||
+         std::min(piece.from.x, piece.to.x) - reach > box.high.x ||
+         std::max(piece.from.y, piece.to.y) + reach < box.low.y ||
+         std::min(piece.from.y, piece.to.y) - reach > box.high.y;
+}
+
+/// Halves an arc until each part misses the box or is within a millionth of the box of its chord. Halving at
+/// chords keeps the relative precision of the ends inside the box, whatever the radius.
+void append_straight(const CurvePiece& piece, const ViewBox& box, std::vector<CurvePiece>& pieces) {
+  constexpr double kFlat = 1e-6;
+  if (height_over_chord(piece) <= kFlat * larger_side(box) || misses(piece, box))
+    return pieces.push_back(segment(piece.from, piece.to));
+  CurvePiece first = piece, second = piece;
+  first.to = second.from = middle(piece);
+  append_straight(first, box, pieces);
+  append_straight(second, box, pieces);
+}
+
+/// Circles so large that doubles do not know well where they cross the box become chains of segments, a few
+/// in the box.
+std::vector<CurvePiece> straightened_if_huge(const std::vector<CurvePiece>& pieces, const ViewBox& box) {
+  constexpr double kHuge = 1e6;
+  std::vector<CurvePiece> straight;
+  for (const CurvePiece& piece : pieces) {
+    if (piece.is_line || piece.radius < kHuge * larger_side(box))
+      straight.push_back(piece);
+    else
+      append_straight(piece, box, straight);
+  }
+  return straight;
+}
+
+std::vector<CurvePiece> trace_circle(const ArcShape& arc, const ViewBox& box) {
   const auto& [is_line, centre, radius, direction] = arc.curve;
   std::vector<CurvePiece> pieces;
   if (!arc.from || !arc.to)
     append_circle(centre, radius, arc.ccw, pieces);
-  else if (ends_nearly_coincide(arc.curve, *arc.from, *arc.to))
-    pieces.push_back({*arc.from, *arc.to, true, {}, 0, false});
+  else if (ends_nearly_coincide(arc.curve, *arc.from, *arc.to, larger_side(box)))
+    pieces.push_back(segment(*arc.from, *arc.to));
   else
     append_arc(*arc.from, *arc.to, centre, radius, arc.ccw, pieces);
-  return pieces;
+  return straightened_if_huge(pieces, box);
 }
 
 std::vector<CurvePiece> trace_line(const ArcShape& arc, const ViewBox& box) {
   const Vec2 direction = arc.curve.direction, point = arc.curve.centre;
   const Vec2 from = arc.from ? *arc.from : far_along(arc.to.value_or(point), -direction, box);
   const Vec2 to = arc.to ? *arc.to : far_along(arc.from.value_or(point), direction, box);
-  return {{from, to, true, {}, 0, false}};
+  return {segment(from, to)};
 }
 
 /// All but a whole circle: by way of the point opposite its ends.
@@ -82,7 +130,7 @@ std::vector<CurvePiece> trace_nearly_whole(const ArcShape& arc) {
 }  // namespace
 
 std::vector<CurvePiece> trace(const ArcShape& arc, const ViewBox& box) {
-  return arc.curve.is_line ? trace_line(arc, box) : trace_circle(arc);
+  return arc.curve.is_line ? trace_line(arc, box) : trace_circle(arc, box);
 }
 
 std::vector<CurvePiece> trace(const MoebiusDiagram& diagram, const MoebiusArc& arc, const ViewBox& box) {

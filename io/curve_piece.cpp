@@ -30,8 +30,8 @@ bool contains(const ViewBox& box, Vec2 p) {
   return p.x > box.low.x && p.x < box.high.x && p.y > box.low.y && p.y < box.high.y;
 }
 
-/// The point of the circle half way from `from` to `to`: at right angles to the chord, on the side that the
-/// direction says, whatever the length of the arc.
+/// The point of the circle half way along an arc of any length: at right angles to the chord, on the side
+/// that the direction says.
 Vec2 arc_middle(Vec2 from, Vec2 to, Vec2 centre, double radius, bool ccw) {
   const Vec2 chord = to - from;
   const double length = std::sqrt(dot(chord, chord));
@@ -40,10 +40,12 @@ Vec2 arc_middle(Vec2 from, Vec2 to, Vec2 centre, double radius, bool ccw) {
   return centre + Vec2{scale * chord.y, -scale * chord.x};
 }
 
+/// At most a third of a turn. By the chord, not by the centre's direction from `to`: rounding may hide the
+/// difference of directions on large circles.
 bool is_short(Vec2 from, Vec2 to, Vec2 centre, double radius, bool ccw) {
-  const Vec2 a = from - centre, b = to - centre;
-  const double sine = ccw ? cross(a, b) : cross(b, a);
-  return sine >= 0 && dot(a, b) >= -0.5 * radius * radius;
+  const Vec2 a = from - centre, chord = to - from;
+  const double sine = ccw ? cross(a, chord) : cross(chord, a);
+  return sine >= 0 && dot(a, to - centre) >= -0.5 * radius * radius;
 }
 
 /// For a point of the circle: whether it is on the piece.
@@ -97,8 +99,14 @@ CurvePiece reversed(const CurvePiece& piece) {
 }
 
 Vec2 middle(const CurvePiece& piece) {
-  if (piece.is_line) return 0.5 * (piece.from + piece.to);
-  return arc_middle(piece.from, piece.to, piece.centre, piece.radius, piece.ccw);
+  const Vec2 half = 0.5 * (piece.to - piece.from), on_chord = 0.5 * (piece.from + piece.to);
+  const double r = piece.radius, square = dot(half, half);
+  if (piece.is_line || !(square > 0)) return on_chord;
+  // The height over the chord is r - sqrt(r^2 - h^2) for half a chord h; written as a quotient nothing
+  // cancels.
+  const double height = square / (r + std::sqrt(std::max(r * r - square, 0.0)));
+  const double scale = (piece.ccw ? height : -height) / std::sqrt(square);
+  return on_chord + Vec2{scale * half.y, -scale * half.x};
 }
 
 ViewBox bounds_of(std::span<const CurvePiece> pieces) {

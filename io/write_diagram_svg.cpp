@@ -40,7 +40,7 @@ bool is_whole_and_near(const MoebiusArc& arc, const ViewBox& sites) {
                                                contains(grown(sites, {reach, reach}), {centre, centre})));
 }
 
-/// The sites; the vertices, and arcs of circles as a whole, within a quarter of the sites' extent around
+/// The sites; the vertices, and arcs of circles as a whole, within 0.3 of the sites' extent around
 /// them; whole circles that are neither larger than that extent nor centred further off than half of it, and
 /// any if the sites have no extent.
 ViewBox box_of(const MoebiusDiagram& diagram) {

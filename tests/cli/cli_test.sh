@@ -93,6 +93,10 @@ grep -q '<circle [^>]*data-arc="0"' d.svg || { echo "FAILED: no circle in d.svg"
 grep -q '"centre":\[-1.0,0.0\],"radius":2.0' d.json || { echo "FAILED: no circle in d.json"; cat d.json; failures=$((failures + 1)); }
 expect 0 '' moebius sites.txt -o d2.svg --box -4,-3,2,3 --width 200 --labels --no-sites
 grep -q 'width="200" height="200"' d2.svg || { echo "FAILED: not the page asked for"; failures=$((failures + 1)); }
+expect 0 '^cells +16, 2 disconnected, 2 with holes' moebius "$source/examples/sites.txt" -o example.svg
+cp example.svg first.svg
+expect 0 '' moebius "$source/examples/sites.txt" -o example.svg
+cmp -s example.svg first.svg || { echo "FAILED: other bytes the second time"; failures=$((failures + 1)); }
 expect 2 'the box to draw' moebius sites.txt -o d3.svg --box 0,0,0,1
 expect 2 '' moebius sites.txt -o d3.svg --box 0,0,1
 expect 2 'unknown extension' moebius sites.txt -o d3.png

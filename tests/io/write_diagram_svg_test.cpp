@@ -195,7 +195,7 @@ DiagramDrawing everything(const MoebiusDiagram& diagram) {
   return shown(box.low, box.high);
 }
 
-enum class Kind { voronoi, power, weighted, moebius, any_sign, grid };
+enum class Kind { voronoi, power, weighted, nearly_equal, moebius, any_sign, grid };
 
 std::vector<MoebiusSite> random_sites(Kind kind, std::size_t count, std::mt19937& random) {
   std::uniform_real_distribution<double> place(-1, 1), weight(0.5, 3), offset(-0.1, 0.1);
@@ -204,6 +204,7 @@ std::vector<MoebiusSite> random_sites(Kind kind, std::size_t count, std::mt19937
   for (MoebiusSite& site : sites) {
     site.p = {place(random), place(random)};
     if (kind == Kind::weighted || kind == Kind::moebius) site.lambda = weight(random);
+    if (kind == Kind::nearly_equal) site.lambda = 1 + 1e-10 * weight(random);
     if (kind == Kind::any_sign) site.lambda = place(random);
     if (kind == Kind::power || kind == Kind::moebius || kind == Kind::any_sign) site.mu = offset(random);
     if (kind != Kind::grid) continue;
@@ -224,8 +225,8 @@ DiagramDrawing random_box(std::mt19937& random) {
 
 TEST_CASE("random diagrams: the nearest site fills each point, every arc is there") {
   MESSAGE("seeds 0..79 of each kind");
-  for (const Kind kind :
-       {Kind::voronoi, Kind::power, Kind::weighted, Kind::moebius, Kind::any_sign, Kind::grid}) {
+  for (const Kind kind : {Kind::voronoi, Kind::power, Kind::weighted, Kind::nearly_equal, Kind::moebius,
+                          Kind::any_sign, Kind::grid}) {
     for (unsigned seed = 0; seed < 80; ++seed) {
       CAPTURE(static_cast<int>(kind));
       CAPTURE(seed);
@@ -234,6 +235,7 @@ TEST_CASE("random diagrams: the nearest site fills each point, every arc is ther
       REQUIRE(diagram.ok());
       check_cells(*diagram, draw(*diagram), seed, 1e-4, 100);
       check_cells(*diagram, draw(*diagram, random_box(random)), seed, 1e-4, 100);
+      if (kind == Kind::nearly_equal) continue;  // circles of radius 1e10
       if (const DiagramDrawing all = everything(*diagram); format_diagram_svg(*diagram, all).ok())
         check_arcs(*diagram, draw(*diagram, all));
     }
