@@ -3,8 +3,12 @@
 /// include that.
 
 #include "delaunay_core.h"
+#include "tet_mesh.h"
 
 namespace crossloft::detail {
+
+/// Vertices of a cavity that is joined by a table of 16 KB; larger ones have no use for a quadratic method.
+inline constexpr std::size_t kMostInTable = 64;
 
 /// Floods the cells in conflict with e from `start` and collects the boundary. Marks hold the answers of this
 /// insertion, so each cell is asked once.
@@ -14,9 +18,9 @@ void DelaunayCore<D, P>::dig(std::uint32_t e, std::uint32_t start) {
   cavity_.assign(1, start);
   rim_.clear();
   cells_.set_mark(start, stamp_);
-  if constexpr (HasHeights<P>) {
+  if constexpr (kNumbersVertices) {
     dug_vertices_.clear();
-    if (vertex_marks_.size() <= predicates_.size()) vertex_marks_.resize(std::size_t{predicates_.size()} + 1);
+    if (dug_marks_.size() <= predicates_.size()) dug_marks_.resize(std::size_t{predicates_.size()} + 1);
     for (const std::uint32_t v : cells_.vertices(start)) note_vertex(v);
   }
   for (std::size_t k = 0; k < cavity_.size(); ++k) {
@@ -31,7 +35,7 @@ void DelaunayCore<D, P>::dig(std::uint32_t e, std::uint32_t start) {
           cavity_.push_back(next.cell());
           cells_.prefetch_neighbours(next.cell());
           // The other vertices are those of a cell that is in already.
-          if constexpr (HasHeights<P>) note_vertex(cells_.vertices(next.cell())[next.slot()]);
+          if constexpr (kNumbersVertices) note_vertex(cells_.vertices(next.cell())[next.slot()]);
         }
       }
       if (mark != stamp_) {
@@ -53,9 +57,9 @@ void DelaunayCore<D, P>::note_removed(std::uint32_t cell, std::size_t slot) {
 
 template <std::size_t D, class P>
 void DelaunayCore<D, P>::note_vertex(std::uint32_t v) {
-  std::uint32_t& mark = vertex_marks_[v + 1];  // kGhost + 1 is 0
-  if (mark == stamp_) return;
-  mark = stamp_;
+  DugMark& mark = dug_marks_[v + 1];  // kGhost + 1 is 0
+  if (mark.stamp == stamp_) return;
+  mark = {stamp_, static_cast<std::uint32_t>(dug_vertices_.size())};
   dug_vertices_.push_back(v);
 }
 
@@ -66,9 +70,10 @@ void DelaunayCore<D, P>::hide_inner_vertices() {
   if (dug_vertices_.size() == on_rim) return;
   for (const Rim& rim : rim_)
     for (std::size_t slot = 0; slot <= D; ++slot)
-      if (slot != rim.inside.slot()) vertex_marks_[cells_.vertices(rim.inside.cell())[slot] + 1] = stamp_ + 1;
+      if (slot != rim.inside.slot())
+        dug_marks_[cells_.vertices(rim.inside.cell())[slot] + 1].stamp = stamp_ + 1;
   for (const std::uint32_t v : dug_vertices_) {
-    if (vertex_marks_[v + 1] != stamp_) continue;
+    if (dug_marks_[v + 1].stamp != stamp_) continue;
     keep(v, kNone);
     --vertex_count_;
     if (v < incident_.size()) incident_[v] = kNone;
@@ -87,12 +92,40 @@ void DelaunayCore<D, P>::fill(std::uint32_t e) {
     cells_.redirect(inside, base);
     note_incident(hint_);
   }
-  for (const Rim& rim : rim_) join(rim.inside);
+  if constexpr (D == 3)
+    if (dug_vertices_.size() <= kMostInTable) return join_by_table();
+  for (const Rim& rim : rim_) join_by_turning(rim.inside);
+}
+
+/// Links the new cells to each other. The rim is a closed oriented surface: each edge is met once in each
+/// direction. The table is square, over the numbers of the cavity's vertices, and needs no clearing: what is
+/// read was written. No branch depends on the shape of the cavity, which is what makes this fast.
+template <std::size_t D, class P>
+void DelaunayCore<D, P>::join_by_table() requires(D == 3) {
+  const std::size_t width = dug_vertices_.size();
+  edges_.resize(kMostInTable * kMostInTable);
+  rim_numbers_.resize(rim_.size());
+  for (std::size_t k = 0; k < rim_.size(); ++k) {
+    const Facet base = cells_.across(rim_[k].inside);
+    const auto& slots = kFacetSlots[base.slot()];
+    auto& numbers = rim_numbers_[k];
+    for (std::size_t i = 0; i < 3; ++i)
+      numbers[i] = dug_marks_[cells_.vertices(base.cell())[slots[i]] + 1].number;
+    for (std::size_t i = 0; i < 3; ++i)
+      edges_[numbers[i] * width + numbers[(i + 1) % 3]] = {base.cell(), slots[(i + 2) % 3]};
+  }
+  for (std::size_t k = 0; k < rim_.size(); ++k) {
+    const Facet base = cells_.across(rim_[k].inside);
+    const auto& slots = kFacetSlots[base.slot()];
+    const auto& numbers = rim_numbers_[k];
+    for (std::size_t i = 0; i < 3; ++i)
+      cells_.redirect({base.cell(), slots[(i + 2) % 3]}, edges_[numbers[(i + 1) % 3] * width + numbers[i]]);
+  }
 }
 
 /// Links the new cell over a facet of the rim to those over the facets beside it.
 template <std::size_t D, class P>
-void DelaunayCore<D, P>::join(Facet inside) {
+void DelaunayCore<D, P>::join_by_turning(Facet inside) {
   const std::uint32_t cell = cells_.across(inside).cell();
   for (std::size_t slot = 0; slot <= D; ++slot)
     if (slot != inside.slot() && cells_.across({cell, slot}) == Facet())

@@ -85,6 +85,12 @@ class DelaunayCore {
   };
 
   void make_room();
+  /// A vertex of the cavity has the stamp of the insertion and its place in dug_vertices_.
+  struct DugMark {
+    std::uint32_t stamp = 0, number = 0;
+  };
+  static constexpr bool kNumbersVertices = D == 3 || HasHeights<P>;
+
   bool extends_basis(std::uint32_t i) const;
   void wait_for_basis(std::uint32_t i);
   void make_first_cells();
@@ -98,7 +104,8 @@ class DelaunayCore {
   void note_removed(std::uint32_t cell, std::size_t slot);
   void note_vertex(std::uint32_t v);
   void fill(std::uint32_t e);
-  void join(Facet inside);
+  void join_by_table() requires(D == 3);
+  void join_by_turning(Facet inside);
   Facet around_ridge(Facet inside, std::size_t slot) const;
   void hide_inner_vertices();
   void note_incident(std::uint32_t cell);
@@ -114,8 +121,11 @@ class DelaunayCore {
   std::vector<std::array<std::uint32_t, 2>> removed_;
   std::vector<std::uint32_t> cavity_;
   std::vector<Rim> rim_;
-  std::vector<std::uint32_t> dug_vertices_;  ///< of the cavity, the ghost too; only if vertices can be hidden
-  std::vector<std::uint32_t> vertex_marks_;  ///< by vertex + 1, the ghost in front
+  std::vector<std::uint32_t>
+      dug_vertices_;                ///< of the cavity, the ghost too; in space or if some can be hidden
+  std::vector<DugMark> dug_marks_;  ///< by vertex + 1, the ghost in front
+  std::vector<std::array<std::uint32_t, 3>> rim_numbers_;  ///< of the vertices of each facet of the rim
+  std::vector<Facet> edges_;  ///< of new cells by the directed edge of the rim that they have
   std::uint32_t vertex_count_ = 0;
   std::uint32_t stamp_ = 0;  ///< mark of cells in the cavity; stamp_ + 1 of cells found outside it
   std::uint32_t hint_ = 0;
