@@ -1,33 +1,23 @@
 #include "cell_builder.h"
 
-#include <chrono>
+#include <algorithm>
+#include <numeric>
 
-#include "../delaunay/delaunay3.h"
-#include "../delaunay/lattice_predicates.h"
 #include "grounded_table.h"
-#include "self_check.h"
 
 namespace crossloft {
-
-bool CellPredicates::collinear(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
-  int shared = 0;
-  for (std::uint32_t w = 0; w < words_; ++w)
-    shared += __builtin_popcountll(mask(a, w) & mask(b, w) & mask(c, w));
-  return shared >= 2 || crossloft::collinear(points_[a], points_[b], points_[c]);
-}
 
 namespace {
 
 class CellBuilder {
  public:
-  CellBuilder(std::span<const CellFace> faces, std::span<const LatticePoint> points, const LineEdges& line_edges,
+  CellBuilder(std::span<const CellFace> faces, const LineEdges& line_edges,
               std::span<const std::uint32_t> graph_vertex_of)
-      : faces_(faces), points_(points), line_edges_(line_edges), graph_vertex_of_(graph_vertex_of) {}
-  Result<BuiltCell> run();
+      : faces_(faces), line_edges_(line_edges), graph_vertex_of_(graph_vertex_of) {}
+  Result<BuiltCell> run(const CellTriangulation& triangulation);
 
  private:
-  void collect_vertices();
-  bool has_solid() const;
+  void sort_vertices(const CellTriangulation& triangulation);
   GroundedTable fill_table() const;
   bool classify(GroundedTable& table);
   std::uint32_t local(std::uint32_t number) const {
@@ -45,33 +35,30 @@ class CellBuilder {
   EdgeKind edge_kind(std::uint32_t a, std::uint32_t b, GroundedTable& table) const;
 
   std::span<const CellFace> faces_;
-  std::span<const LatticePoint> points_;
   const LineEdges& line_edges_;
   std::span<const std::uint32_t> graph_vertex_of_;
   BuiltCell cell_;
   std::vector<std::uint32_t> triangle_base_;  ///< by face: number of its first triangle in the cell
 };
 
-void CellBuilder::collect_vertices() {
-  auto& v = cell_.vertices;
-  for (const CellFace& face : faces_) v.insert(v.end(), face.numbers.begin(), face.numbers.end());
-  std::sort(v.begin(), v.end());
-  v.erase(std::unique(v.begin(), v.end()), v.end());
+/// Puts vertices into the order of their final numbers; samples came last.
+void CellBuilder::sort_vertices(const CellTriangulation& triangulation) {
+  const CellVertices& from = triangulation.vertices();
+  std::vector<std::uint32_t> order(from.size()), place(from.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::sort(order.begin(), order.end(),
+            [&](std::uint32_t a, std::uint32_t b) { return from.numbers[a] < from.numbers[b]; });
   CellComplex& complex = cell_.complex;
-  complex.vertex_count = static_cast<std::uint32_t>(v.size());
-  complex.words = static_cast<std::uint32_t>((faces_.size() + 63) / 64);
-  complex.face_masks.assign(v.size() * complex.words, 0);
-  for (std::size_t f = 0; f < faces_.size(); ++f)
-    for (const std::uint32_t number : faces_[f].numbers)
-      complex.face_masks[std::size_t{local(number)} * complex.words + f / 64] |= std::uint64_t{1} << (f % 64);
-}
-
-/// False if no tetrahedron can be kept: without an internal triangle nothing is solid.
-bool CellBuilder::has_solid() const {
-  return std::any_of(faces_.begin(), faces_.end(), [](const CellFace& face) {
-    const auto& internal = face.triangulation->internal;
-    return std::find(internal.begin(), internal.end(), 1) != internal.end();
-  });
+  complex.vertex_count = from.size();
+  complex.words = from.words;
+  for (std::uint32_t k = 0; k < order.size(); ++k) {
+    place[order[k]] = k;
+    cell_.vertices.push_back(from.numbers[order[k]]);
+    for (std::uint32_t w = 0; w < from.words; ++w) complex.face_masks.push_back(from.mask(order[k], w));
+  }
+  complex.mesh = triangulation.mesh();
+  for (auto& tet : complex.mesh.vertices)
+    for (std::uint32_t& v : tet) v = place[v];
 }
 
 /// Triangles as numbers in the cell; edges as their kind.
@@ -133,22 +120,13 @@ bool CellBuilder::classify(GroundedTable& table) {
   return grounded == triangles;
 }
 
-Result<BuiltCell> CellBuilder::run() {
-  if (!has_solid()) return std::move(cell_);
-  collect_vertices();
+Result<BuiltCell> CellBuilder::run(const CellTriangulation& triangulation) {
+  if (triangulation.dimension() < 3) return std::move(cell_);
+  sort_vertices(triangulation);
+  cell_.delaunay_seconds = triangulation.seconds();
   triangle_base_.push_back(0);
   for (const CellFace& face : faces_)
     triangle_base_.push_back(triangle_base_.back() + static_cast<std::uint32_t>(face.triangulation->triangles.size()));
-  std::vector<LatticePoint> points;
-  for (const std::uint32_t number : cell_.vertices) points.push_back(points_[number]);
-  const auto begin = std::chrono::steady_clock::now();
-  const CellPredicates predicates(points, cell_.complex.face_masks, cell_.complex.words);
-  Delaunay3 triangulation(predicates);
-  triangulation.build();
-  if (auto good = self_check("Delaunay of a cell", [&] { return triangulation.verify(); }); !good) return good.error();
-  if (triangulation.dimension() < 3) return std::move(cell_);
-  cell_.complex.mesh = triangulation.tet_mesh();
-  cell_.delaunay_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   GroundedTable table = fill_table();
   if (!classify(table)) return make_error(ErrorCode::internal, "a cell's hull differs from its face triangulations");
   return std::move(cell_);
@@ -156,9 +134,9 @@ Result<BuiltCell> CellBuilder::run() {
 
 }  // namespace
 
-Result<BuiltCell> build_cell(std::span<const CellFace> faces, std::span<const LatticePoint> points,
+Result<BuiltCell> build_cell(std::span<const CellFace> faces, const CellTriangulation& triangulation,
                              const LineEdges& line_edges, std::span<const std::uint32_t> graph_vertex_of) {
-  return CellBuilder(faces, points, line_edges, graph_vertex_of).run();
+  return CellBuilder(faces, line_edges, graph_vertex_of).run(triangulation);
 }
 
 }  // namespace crossloft

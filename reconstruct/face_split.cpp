@@ -1,47 +1,14 @@
 #include "face_split.h"
 
 #include <algorithm>
-#include <cmath>
+
+#include "../geom/lattice_rounding.h"
 
 namespace crossloft {
-namespace {
-
-Vec3 real(const LatticeVector& v) {
-  return {static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2])};
-}
-
-Vec3 real(const LatticePoint& p) { return {p.x, p.y, p.z}; }
-
-LatticePoint lattice_point(const LatticePlane& plane, std::int64_t u, std::int64_t v) {
-  LatticeVector c;
-  for (std::size_t k = 0; k < 3; ++k) c[k] = plane.origin[k] + u * plane.e1[k] + v * plane.e2[k];
-  return make_point(c);
-}
-
-/// Plane coordinates of a point near the plane, rounded: e1 and e2 are Gauss-reduced, so their Gram matrix is
-/// well conditioned and the error stays below a quarter step for |target| <= 2^50.
-std::array<std::int64_t, 2> nearest_coordinates(const LatticePlane& plane, Vec3 target) {
-  const Vec3 e1 = real(plane.e1), e2 = real(plane.e2), d = target - real(plane.origin);
-  const double a = dot(e1, e1), b = dot(e1, e2), c = dot(e2, e2), p = dot(d, e1), q = dot(d, e2);
-  const double det = a * c - b * b;
-  return {std::llround((c * p - b * q) / det), std::llround((a * q - b * p) / det)};
-}
-
-}  // namespace
 
 FaceSplitter::FaceSplitter(const SectionGraph& graph, const Arrangement& arrangement, FaceId face,
                            std::uint32_t plane, std::span<const Wall> walls, std::vector<LatticePoint>& points)
-    : plane_(graph.planes[plane]), walls_(walls), points_(&points) {
-  for (const ArrEdgeId edge : arrangement.edges_of(face))
-    for (const PlaneId p : arrangement.planes_of(edge))
-      if (p.value != plane && !arrangement.is_box(p))
-        sides_.emplace_back(graph.planes[p.value], sign_at(arrangement.signs(face), p));
-}
-
-bool FaceSplitter::inside_face(const LatticePoint& p) const {
-  return std::all_of(sides_.begin(), sides_.end(),
-                     [&](const auto& side) { return side_of_plane(side.first, p) == side.second; });
-}
+    : plane_(graph.planes[plane]), face_(graph, arrangement, face), walls_(walls), points_(&points) {}
 
 /// No vertex in the triangle a, b, c but its corners: replacing ab by ac, cb then crosses no contour.
 bool FaceSplitter::sweeps_nothing(std::uint32_t a, std::uint32_t b, const LatticePoint& c) const {
@@ -76,7 +43,7 @@ std::uint32_t FaceSplitter::operator()(const SplitRequest& request) {
   std::vector<Candidate> candidates;
   for (std::int64_t u = u0 - 2; u <= u0 + 2; ++u)
     for (std::int64_t v = v0 - 2; v <= v0 + 2; ++v) {
-      const LatticePoint p = lattice_point(plane_, u, v);
+      const LatticePoint p = plane_point(plane_, u, v);
       candidates.push_back({norm(real(p) - target), p});
     }
   std::sort(candidates.begin(), candidates.end(), [](const Candidate& x, const Candidate& y) {
@@ -84,7 +51,7 @@ std::uint32_t FaceSplitter::operator()(const SplitRequest& request) {
   });
   const int inside = walls_[request.segment].inside_left != request.reversed ? 1 : -1;
   for (const Candidate& c : candidates) {
-    if (orient2d(plane_, from, to, c.point) * inside > 0 || !inside_face(c.point)) continue;
+    if (orient2d(plane_, from, to, c.point) * inside > 0 || !face_.contains(c.point)) continue;
     if (!sweeps_nothing(request.from, request.to, c.point)) continue;
     points_->push_back(c.point);
     return static_cast<std::uint32_t>(points_->size() - 1);

@@ -6,6 +6,7 @@
 
 #include "../arrangement/section_graph.h"
 #include "../delaunay/conform.h"
+#include "open_face.h"
 
 namespace crossloft {
 
@@ -20,11 +21,10 @@ class FaceSplitter {
   std::uint32_t operator()(const SplitRequest& request);
 
  private:
-  bool inside_face(const LatticePoint& p) const;
   bool sweeps_nothing(std::uint32_t a, std::uint32_t b, const LatticePoint& c) const;
 
   LatticePlane plane_;
-  std::vector<std::pair<LatticePlane, int>> sides_;  ///< planes that bound the face, and its side of each
+  OpenFace face_;
   std::span<const Wall> walls_;
   std::vector<LatticePoint>* points_;
 };

@@ -70,6 +70,13 @@ class FaceBuilder {
     result_.plane = arrangement.plane_of(input.face).value;
     result_.vertices = input.vertices;
     for (const std::uint32_t v : input.vertices) points_.push_back(graph.points[v]);
+    for (const Wall& wall : input.walls) walls_.push_back(local(wall));
+  }
+  void start_from(const FaceTriangulation& coarse, std::span<const LatticePoint> samples) {
+    points_.insert(points_.end(), coarse.added.begin(), coarse.added.end());
+    points_.insert(points_.end(), samples.begin(), samples.end());
+    walls_ = coarse.walls;
+    result_.samples = coarse.samples + static_cast<std::uint32_t>(samples.size());
   }
   Result<FaceTriangulation> run();
 
@@ -92,23 +99,20 @@ class FaceBuilder {
   const SectionLocator& locator_;
   const FaceInput& input_;
   std::vector<LatticePoint> points_;
+  std::vector<Wall> walls_;  ///< as they were before conforming, local ends
   FaceTriangulation result_;
   TriMesh mesh_;
   WallTable table_;
 };
 
 Result<Done> FaceBuilder::conform_to_walls(Delaunay2<LatticePredicates2>& tri) {
-  std::vector<Wall> walls;
   std::vector<std::array<std::uint32_t, 2>> segments;
-  for (const Wall& wall : input_.walls) {
-    walls.push_back(local(wall));
-    segments.push_back({walls.back().a, walls.back().b});
-  }
-  FaceSplitter splitter(graph_, arrangement_, input_.face, result_.plane, walls, points_);
-  const auto limit = static_cast<std::uint32_t>(4096 + 64 * walls.size());
+  for (const Wall& wall : walls_) segments.push_back({wall.a, wall.b});
+  FaceSplitter splitter(graph_, arrangement_, input_.face, result_.plane, walls_, points_);
+  const auto limit = static_cast<std::uint32_t>(4096 + 64 * walls_.size());
   const ConformResult conformed = conform(tri, segments, splitter, limit);
   for (std::uint32_t s = 0; s < segments.size(); ++s) {
-    Wall piece = walls[conformed.source[s]];
+    Wall piece = walls_[conformed.source[s]];
     piece.a = segments[s][0], piece.b = segments[s][1];
     result_.walls.push_back(piece);
     table_.add(piece);
@@ -120,7 +124,7 @@ Result<Done> FaceBuilder::conform_to_walls(Delaunay2<LatticePredicates2>& tri) {
                                          : "a contour edge could not be made a Delaunay edge",
                  {}, wall.line, wall.source_plane, wall.contour};
   }
-  result_.splits.assign(points_.begin() + static_cast<std::ptrdiff_t>(input_.vertices.size()), points_.end());
+  result_.added.assign(points_.begin() + static_cast<std::ptrdiff_t>(input_.vertices.size()), points_.end());
   return Done{};
 }
 
@@ -208,6 +212,14 @@ Result<FaceTriangulation> triangulate_face(const SectionGraph& graph, const Arra
   return FaceBuilder(graph, arrangement, locator, input).run();
 }
 
+Result<FaceTriangulation> refine_face(const SectionGraph& graph, const Arrangement& arrangement,
+                                      const SectionLocator& locator, const FaceInput& input,
+                                      const FaceTriangulation& coarse, std::span<const LatticePoint> samples) {
+  FaceBuilder builder(graph, arrangement, locator, input);
+  builder.start_from(coarse, samples);
+  return builder.run();
+}
+
 std::uint32_t LineEdges::shared_planes(std::uint32_t u, std::uint32_t v) const {
   std::uint32_t count = 0;
   for (std::uint32_t w = 0; w < graph_->words; ++w)
@@ -220,7 +232,7 @@ void LineEdges::add(const FaceTriangulation& face) {
   for (std::size_t t = 0; t < face.triangles.size(); ++t)
     for (std::size_t i = 0; i < 3 && face.internal[t] != 0; ++i) {
       const std::uint32_t a = face.triangles[t][i], b = face.triangles[t][(i + 1) % 3];
-      if (a >= count || b >= count) continue;  // splits are on no line
+      if (a >= count || b >= count) continue;  // splits and samples are on no line
       const std::uint32_t u = face.vertices[a], v = face.vertices[b];
       if (on_line(u, v)) inside_.push_back({std::min(u, v), std::max(u, v), face.plane});
     }

@@ -22,7 +22,8 @@ struct FaceTriangulation {
   FaceId face;
   std::uint32_t plane = 0;
   std::vector<std::uint32_t> vertices;  ///< of the section graph, ascending: local 0..vertices.size()-1,
-  std::vector<LatticePoint> splits;     ///< then the points added, explicit and strictly inside the face
+  std::vector<LatticePoint> added;      ///< then splits and samples, explicit and strictly inside the face
+  std::uint32_t samples = 0;            ///< how many of those are samples of the branching and cutting diagrams
   std::vector<std::array<std::uint32_t, 3>> triangles;  ///< local, counter-clockwise from the positive side
   std::vector<std::uint8_t> internal;                   ///< by triangle: 1 inside the section
   std::vector<FaceEdge> edges;  ///< of the triangles; those on lines get their kind from LineEdges
@@ -47,6 +48,12 @@ std::vector<FaceInput> face_inputs(const SectionGraph& graph, const Arrangement&
 /// be recovered.
 Result<FaceTriangulation> triangulate_face(const SectionGraph& graph, const Arrangement& arrangement,
                                            const SectionLocator& locator, const FaceInput& input);
+/// Triangulates the face anew with samples inside its section; what `coarse` has keeps its local number. Its walls may be
+/// split further, so that they are edges again. REQUIRES: samples are distinct lattice points strictly inside the face and
+/// its section, and no vertices of `coarse`.
+Result<FaceTriangulation> refine_face(const SectionGraph& graph, const Arrangement& arrangement,
+                                      const SectionLocator& locator, const FaceInput& input,
+                                      const FaceTriangulation& coarse, std::span<const LatticePoint> samples);
 
 /// Which edges on plane-plane lines are in the closed section of every plane through them: decided once, for all
 /// cells. An edge is in the closed section of a plane iff an internal triangle of that plane stands at it.

@@ -1,5 +1,5 @@
 #pragma once
-/// The final vertex numbers: section graph vertices and the splits of all faces in one lexicographic order.
+/// The final vertex numbers: section graph vertices, splits and samples of all faces in one lexicographic order.
 
 #include <cstdint>
 #include <span>
@@ -11,12 +11,15 @@ namespace crossloft {
 
 struct Numbering {
   std::vector<LatticePoint> points;              ///< by final number, lexicographic
-  std::vector<std::uint32_t> graph_vertex;       ///< by final number, kNone for a split
+  std::vector<std::uint32_t> graph_vertex;       ///< by final number, kNone for a split or sample
   std::vector<std::uint32_t> of_graph;           ///< final number by section graph vertex
   std::vector<std::vector<std::uint32_t>> of_face;  ///< [face][local vertex]: final number
 };
 
 /// `faces` by arrangement face.
 Numbering number_vertices(const SectionGraph& graph, std::span<const FaceTriangulation> faces);
+
+/// By number in `before`: the number in `after`. REQUIRES: faces have kept their local numbers and may have gained vertices.
+std::vector<std::uint32_t> renumbering(const Numbering& before, const Numbering& after);
 
 }  // namespace crossloft

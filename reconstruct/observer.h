@@ -7,6 +7,7 @@
 
 #include "../arrangement/section_graph.h"
 #include "../prune/prune.h"
+#include "branching.h"
 #include "cell_builder.h"
 #include "face_triangulation.h"
 #include "numbering.h"
@@ -19,6 +20,8 @@ class Observer {
  public:
   virtual ~Observer() = default;
   virtual void on_sections(const FramedSections&, const Arrangement&, const SectionGraph&) {}
+  /// One side of a face on whose branching diagram samples were taken.
+  virtual void on_branching(const FaceBranching&, const FramedSections&) {}
   virtual void on_face(const FaceTriangulation&, const Numbering&) {}
   virtual void on_cell(CellId, const BuiltCell&, const PruneResult&) {}
   /// All kept tetrahedra by final vertex numbers.

@@ -8,6 +8,7 @@
 #include "../prune/links.h"
 #include "../prune/verify.h"
 #include "assemble.h"
+#include "branching.h"
 #include "cell_builder.h"
 #include "flats.h"
 #include "numbering.h"
@@ -54,8 +55,14 @@ class Pipeline {
   Result<Done> frame();
   Result<Done> arrange();
   Result<Done> triangulate_faces();
+  Result<Done> add_samples();
+  Result<Done> refine_faces(std::span<const std::vector<LatticePoint>> samples);
+  void finish_faces();
   Result<Done> prune_cells();
   Result<Done> glue_cells();
+  std::vector<FaceId> inner_faces(CellId id) const;
+  std::vector<CellFace> cell_faces(std::span<const FaceId> ids) const;
+  Result<Done> branch(CellId id, CellBranching& branching);
   void prune_cell(CellId id, CellResult& result);
   void cover(CellId id, std::span<const FaceId> face_ids, const BuiltCell& cell, const PruneResult& pruned);
   void report_crossings();
@@ -75,9 +82,13 @@ class Pipeline {
   FramedSections framed_;
   std::unique_ptr<Arrangement> arrangement_;
   SectionGraph graph_;
-  std::vector<FaceTriangulation> faces_;  ///< by face of the arrangement
+  std::vector<FaceInput> inputs_;         ///< by face of the arrangement, like faces_
+  std::vector<FaceTriangulation> faces_;
+  std::vector<std::vector<WallEnds>> wall_ends_;  ///< what locators_ look at
+  std::vector<SectionLocator> locators_;          ///< by plane
   std::unique_ptr<LineEdges> line_edges_;
   Numbering numbering_;
+  std::vector<std::unique_ptr<CellTriangulation>> triangulations_;  ///< by cell; null until it is needed
   std::vector<std::array<std::uint32_t, 4>> tets_;
   Reconstruction result_;
 };
@@ -159,16 +170,15 @@ Result<Done> Pipeline::arrange() {
 }
 
 Result<Done> Pipeline::triangulate_faces() {
-  const std::vector<FaceInput> inputs = face_inputs(graph_, *arrangement_);
-  std::vector<std::vector<WallEnds>> ends(graph_.planes.size());
-  std::vector<SectionLocator> locators;
-  for (std::uint32_t p = 0; p < graph_.planes.size(); ++p) locators.push_back(graph_.locator(p, ends[p]));
-  faces_.resize(inputs.size());
-  std::vector<Error> errors(inputs.size());
-  const bool complete = parallel_for(inputs.size(), context_, "faces", [&](std::size_t f) {
+  inputs_ = face_inputs(graph_, *arrangement_);
+  wall_ends_.resize(graph_.planes.size());
+  for (std::uint32_t p = 0; p < graph_.planes.size(); ++p) locators_.push_back(graph_.locator(p, wall_ends_[p]));
+  faces_.resize(inputs_.size());
+  std::vector<Error> errors(inputs_.size());
+  const bool complete = parallel_for(inputs_.size(), context_, "faces", [&](std::size_t f) {
     const FaceId id{static_cast<std::uint32_t>(f)};
     if (arrangement_->on_box(id)) return;
-    auto face = triangulate_face(graph_, *arrangement_, locators[arrangement_->plane_of(id).value], inputs[f]);
+    auto face = triangulate_face(graph_, *arrangement_, locators_[arrangement_->plane_of(id).value], inputs_[f]);
     if (face)
       faces_[f] = std::move(face).value();
     else
@@ -177,6 +187,13 @@ Result<Done> Pipeline::triangulate_faces() {
   if (!complete) return cancelled();
   for (const Error& error : errors)
     if (!error.message.empty()) return error;
+  numbering_ = number_vertices(graph_, faces_);
+  result_.report.seconds.faces = watch_.lap();
+  return Done{};
+}
+
+/// Faces are final: their edges on lines get their kinds, and the sections are what the faces say.
+void Pipeline::finish_faces() {
   line_edges_ = std::make_unique<LineEdges>(graph_);
   for (const FaceTriangulation& face : faces_) line_edges_->add(face);
   line_edges_->finish();
@@ -184,14 +201,93 @@ Result<Done> Pipeline::triangulate_faces() {
     for (FaceEdge& e : face.edges)
       if (e.b < face.vertices.size() && line_edges_->on_line(face.vertices[e.a], face.vertices[e.b]))
         e.kind = line_edges_->kind(face.vertices[e.a], face.vertices[e.b]);
-  numbering_ = number_vertices(graph_, faces_);
-  for (const FaceTriangulation& face : faces_)
-    result_.report.edge_splits += static_cast<std::uint32_t>(face.splits.size());
+  for (const FaceTriangulation& face : faces_) {
+    result_.report.edge_splits += static_cast<std::uint32_t>(face.added.size()) - face.samples;
+    result_.report.branching_samples += face.samples;
+  }
   if (observer_)
     for (const FaceTriangulation& face : faces_)
       if (face.face.valid()) observer_->on_face(face, numbering_);
   result_.sections = assemble_sections(framed_, graph_, *arrangement_, faces_, numbering_);
-  result_.report.seconds.faces = watch_.lap();
+  result_.report.seconds.faces += watch_.lap();
+}
+
+std::vector<FaceId> Pipeline::inner_faces(CellId id) const {
+  std::vector<FaceId> ids;
+  for (const FaceId f : arrangement_->faces_of(id))
+    if (!arrangement_->on_box(f)) ids.push_back(f);
+  return ids;
+}
+
+std::vector<CellFace> Pipeline::cell_faces(std::span<const FaceId> ids) const {
+  std::vector<CellFace> faces;
+  for (const FaceId f : ids) faces.push_back({&faces_[f.value], numbering_.of_face[f.value]});
+  return faces;
+}
+
+/// Samples of the branching diagrams of one cell; its triangulation is kept if it was made.
+Result<Done> Pipeline::branch(CellId id, CellBranching& branching) {
+  const std::vector<FaceId> ids = inner_faces(id);
+  const std::vector<CellFace> faces = cell_faces(ids);
+  if (!has_section(faces)) return Done{};
+  BranchingCell cell(graph_, *arrangement_, locators_, id, ids, faces, options_.branching);
+  if (!cell.may_branch()) return Done{};
+  auto triangulation = std::make_unique<CellTriangulation>(faces.size());
+  if (auto done = triangulation->add(faces, numbering_.points); !done) return done.error();
+  if (triangulation->dimension() == 3) branching = cell.run(*triangulation);
+  triangulations_[id.value] = std::move(triangulation);
+  return Done{};
+}
+
+Result<Done> Pipeline::add_samples() {
+  triangulations_.resize(arrangement_->cell_count());
+  if (options_.branching.mode == Branching::off) {
+    finish_faces();
+    return Done{};
+  }
+  std::vector<CellBranching> cells(triangulations_.size());
+  std::vector<Error> errors(cells.size());
+  const bool complete = parallel_for(cells.size(), context_, "branching", [&](std::size_t c) {
+    if (auto done = branch(CellId{static_cast<std::uint32_t>(c)}, cells[c]); !done) errors[c] = done.error();
+  });
+  if (!complete) return cancelled();
+  for (const Error& error : errors)
+    if (!error.message.empty()) return error;
+  std::vector<std::vector<LatticePoint>> samples(faces_.size());
+  for (const CellBranching& cell : cells) {
+    result_.report.seconds.branching += cell.seconds;
+    for (const FaceBranching& face : cell.faces)
+      samples[face.face.value].insert(samples[face.face.value].end(), face.samples.begin(), face.samples.end());
+  }
+  if (observer_)
+    for (const CellBranching& cell : cells)
+      for (const FaceBranching& face : cell.faces) observer_->on_branching(face, framed_);
+  watch_.lap();
+  if (auto done = refine_faces(samples); !done) return done.error();
+  finish_faces();
+  return Done{};
+}
+
+/// Faces with samples are triangulated anew; what is there keeps its place in every order.
+Result<Done> Pipeline::refine_faces(std::span<const std::vector<LatticePoint>> samples) {
+  std::vector<Error> errors(faces_.size());
+  const bool complete = parallel_for(faces_.size(), context_, "faces", [&](std::size_t f) {
+    if (samples[f].empty()) return;
+    const auto& locator = locators_[faces_[f].plane];
+    auto face = refine_face(graph_, *arrangement_, locator, inputs_[f], faces_[f], distinct_samples(samples[f]));
+    if (face)
+      faces_[f] = std::move(face).value();
+    else
+      errors[f] = face.error();
+  });
+  if (!complete) return cancelled();
+  for (const Error& error : errors)
+    if (!error.message.empty()) return error;
+  const Numbering before = std::move(numbering_);
+  numbering_ = number_vertices(graph_, faces_);
+  const std::vector<std::uint32_t> renumbered = renumbering(before, numbering_);
+  for (const auto& triangulation : triangulations_)
+    if (triangulation) triangulation->renumber(renumbered);
   return Done{};
 }
 
@@ -208,19 +304,19 @@ void Pipeline::cover(CellId id, std::span<const FaceId> face_ids, const BuiltCel
 }
 
 void Pipeline::prune_cell(CellId id, CellResult& result) {
-  std::vector<CellFace> faces;
-  std::vector<FaceId> face_ids;
-  for (const FaceId f : arrangement_->faces_of(id))
-    if (!arrangement_->on_box(f)) {
-      faces.push_back({&faces_[f.value], numbering_.of_face[f.value]});
-      face_ids.push_back(f);
-    }
-  auto built = build_cell(faces, numbering_.points, *line_edges_, numbering_.graph_vertex);
-  if (!built) {
-    result.error = built.error();
+  const std::vector<FaceId> face_ids = inner_faces(id);
+  const std::vector<CellFace> faces = cell_faces(face_ids);
+  if (!has_section(faces)) return;
+  std::unique_ptr<CellTriangulation> triangulation = std::move(triangulations_[id.value]);
+  if (!triangulation) triangulation = std::make_unique<CellTriangulation>(faces.size());
+  const auto fail = [&](const Error& error) {
+    result.error = error;
     result.failed = true;
-    return;
-  }
+  };
+  if (auto done = triangulation->add(faces, numbering_.points); !done) return fail(done.error());
+  auto built = build_cell(faces, *triangulation, *line_edges_, numbering_.graph_vertex);
+  if (!built) return fail(built.error());
+  triangulation.reset();
   BuiltCell& cell = *built;
   if (cell.complex.mesh.size() == 0) return;
   Stopwatch watch;
@@ -229,11 +325,7 @@ void Pipeline::prune_cell(CellId id, CellResult& result) {
     const bool may_fail = options_.mode == PruneMode::paper_literal;  // its Step 3 breaks solidity, as documented
     return verify(cell.complex) && (may_fail || verify(cell.complex, pruned)) ? "" : "a cell is not solid";
   });
-  if (!good) {
-    result.error = good.error();
-    result.failed = true;
-    return;
-  }
+  if (!good) return fail(good.error());
   CellReport& report = result.report;
   report.faces = static_cast<std::uint32_t>(faces.size());
   report.vertices = cell.complex.vertex_count;
@@ -336,7 +428,8 @@ Result<Reconstruction> Pipeline::run() {
   report.mode = options_.mode == PruneMode::joint ? "joint" : options_.mode == PruneMode::paper ? "paper" : "paper-literal";
   if (auto done = frame(); !done) return done.error();
   if (!framed_.planes.empty())
-    for (const auto step : {&Pipeline::arrange, &Pipeline::triangulate_faces, &Pipeline::prune_cells, &Pipeline::glue_cells}) {
+    for (const auto step : {&Pipeline::arrange, &Pipeline::triangulate_faces, &Pipeline::add_samples, &Pipeline::prune_cells,
+                            &Pipeline::glue_cells}) {
       if (context_.cancelled()) return cancelled();
       if (auto done = (this->*step)(); !done) return done.error();
     }

@@ -5,6 +5,7 @@
 #include "../geom/context.h"
 #include "../geom/result.h"
 #include "../prune/prune.h"
+#include "branching_options.h"
 #include "report.h"
 #include "surface.h"
 
@@ -13,6 +14,7 @@ namespace crossloft {
 /// Tolerances are fractions of the diagonal of all contours' bounding box.
 struct Options {
   PruneMode mode = PruneMode::joint;
+  BranchingOptions branching;
   double match_tolerance = 2e-3;  ///< crossings of two sections on their common line that are taken as one
   double plane_tolerance = 1e-3;  ///< a vertex further from its plane is an error
   double on_tolerance = 1e-9;     ///< a contour vertex this near another plane is a crossing already

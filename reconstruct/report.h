@@ -35,7 +35,7 @@ struct CellReport {
 };
 
 struct StageSeconds {
-  double input = 0, arrangement = 0, crossings = 0, faces = 0, delaunay = 0, pruning = 0, gluing = 0, total = 0;
+  double input = 0, arrangement = 0, crossings = 0, faces = 0, branching = 0, delaunay = 0, pruning = 0, gluing = 0, total = 0;
 };
 
 struct Report {
@@ -54,6 +54,9 @@ struct Report {
   double largest_match_gap = 0;       ///< longest way between two crossings that were matched
   std::uint32_t disagreeing_vertices = 0;  ///< arrangement vertices that are inside one section and outside another
   std::uint32_t merged_collinear = 0; ///< vertices dropped that snapping bent off a straight run
+  std::string branching;              ///< off, auto or all
+  std::uint32_t branching_samples = 0; ///< vertices added on branching and cutting diagrams
+  std::uint32_t branching_faces = 0;   ///< faces that got some
   std::uint32_t edge_splits = 0;      ///< vertices added to make contours Delaunay-conforming
 
   double section_area = 0, flat_area = 0;

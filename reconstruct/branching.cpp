@@ -1,0 +1,242 @@
+#include "branching.h"
+
+#include <algorithm>
+#include <bit>
+#include <chrono>
+#include <cmath>
+#include <numeric>
+
+#include "../geom/lattice_rounding.h"
+#include "../moebius/arc_sampling.h"
+#include "open_face.h"
+#include "section_map.h"
+
+namespace crossloft {
+namespace {
+
+/// Distance between samples, in mean contour edges at the two sites: closer ones gain no volume and cost tetrahedra.
+constexpr double kSpacing = 4;
+/// Distance of samples from the section's border, in spacings: nearer ones would break up contour edges.
+constexpr double kClearance = 0.25;
+
+/// A point that may become a sample.
+struct Candidate {
+  Vec2 at;
+  std::array<std::uint32_t, 2> sites{};
+  double spacing = 0;
+};
+
+SectionMap section_map(const CellFace& face, const FaceFrame& frame, std::span<const LatticePoint> points) {
+  std::vector<Vec2> at;
+  for (const std::uint32_t number : face.numbers) at.push_back(frame.to_plane(points[number]));
+  return SectionMap(*face.triangulation, std::move(at));
+}
+
+}  // namespace
+
+/// What sampling the faces of one cell has in common.
+class BranchingCell::Sampler {
+ public:
+  Sampler(const BranchingCell& cell, const CellTriangulation& triangulation);
+  CellBranching run();
+
+ private:
+  /// Bits of the faces (of one word) whose arcs between a and b may carry samples.
+  std::uint64_t wanted(std::uint32_t a, std::uint32_t b) const;
+  void sample_face(std::size_t face, CellDiagrams& diagrams, FaceBranching& out);
+  bool is_branching(std::size_t face, const Candidate& c, double radius) const;
+  bool stopped(std::size_t face, Vec2 a, double radius) const;
+  bool keep(std::size_t face, const Candidate& c, FaceBranching& out) const;
+
+  const BranchingCell& cell_;
+  const CellVertices& vertices_;
+  TetMesh mesh_;
+  std::vector<FaceFrame> frames_;
+  std::vector<SectionMap> maps_;
+  std::vector<double> spacing_;              ///< by vertex
+  std::vector<std::uint64_t> with_section_;  ///< bits of faces, by word
+  std::uint32_t word_ = 0;
+};
+
+BranchingCell::BranchingCell(const SectionGraph& graph, const Arrangement& arrangement,
+                             std::span<const SectionLocator> locators, CellId cell, std::span<const FaceId> ids,
+                             std::span<const CellFace> faces, const BranchingOptions& options)
+    : graph_(graph), arrangement_(arrangement), locators_(locators), cell_(cell), ids_(ids), faces_(faces),
+      options_(options) {
+  label_vertices();
+}
+
+/// A section component of a cell: internal triangles of its faces that hang together at vertices.
+void BranchingCell::label_vertices() {
+  for (const CellFace& face : faces_) numbers_.insert(numbers_.end(), face.numbers.begin(), face.numbers.end());
+  std::sort(numbers_.begin(), numbers_.end());
+  numbers_.erase(std::unique(numbers_.begin(), numbers_.end()), numbers_.end());
+  const auto local = [&](std::uint32_t number) {
+    return static_cast<std::uint32_t>(std::lower_bound(numbers_.begin(), numbers_.end(), number) - numbers_.begin());
+  };
+  std::vector<std::uint32_t> parent(numbers_.size(), kNone);
+  const auto root = [&](std::uint32_t v) {
+    while (parent[v] != v) v = parent[v] = parent[parent[v]];
+    return v;
+  };
+  for (const CellFace& face : faces_)
+    for (std::size_t t = 0; t < face.triangulation->triangles.size(); ++t) {
+      if (face.triangulation->internal[t] == 0) continue;
+      std::array<std::uint32_t, 3> v;
+      for (std::size_t i = 0; i < 3; ++i) {
+        v[i] = local(face.numbers[face.triangulation->triangles[t][i]]);
+        if (parent[v[i]] == kNone) parent[v[i]] = v[i];
+      }
+      for (const std::uint32_t other : {v[1], v[2]}) {
+        const std::uint32_t a = root(v[0]), b = root(other);
+        parent[std::max(a, b)] = std::min(a, b);
+      }
+    }
+  labels_.assign(numbers_.size(), kNone);
+  for (std::uint32_t v = 0; v < parent.size(); ++v)
+    if (parent[v] != kNone) {
+      labels_[v] = root(v);
+      components_ += labels_[v] == v;
+    }
+}
+
+bool BranchingCell::may_branch() const {
+  if (options_.mode == Branching::all || options_.cutting) return components_ > 1;
+  return options_.mode == Branching::automatic && components_ > 2;
+}
+
+std::vector<LatticePoint> distinct_samples(std::vector<LatticePoint> samples) {
+  std::sort(samples.begin(), samples.end(),
+            [](const LatticePoint& a, const LatticePoint& b) { return compare_lex(a, b) < 0; });
+  samples.erase(std::unique(samples.begin(), samples.end(), [](const auto& a, const auto& b) { return equal(a, b); }),
+                samples.end());
+  return samples;
+}
+
+BranchingCell::Sampler::Sampler(const BranchingCell& cell, const CellTriangulation& triangulation)
+    : cell_(cell), vertices_(triangulation.vertices()), mesh_(triangulation.mesh()) {
+  const std::size_t face_count = cell.faces_.size();
+  with_section_.assign(vertices_.words, 0);
+  for (std::size_t f = 0; f < face_count; ++f) {
+    const FaceId id = cell.ids_[f];
+    const int side = cell.arrangement_.cells_of(id)[1] == cell.cell_ ? 1 : -1;
+    frames_.emplace_back(cell.graph_.planes[cell.arrangement_.plane_of(id).value], side);
+    maps_.push_back(section_map(cell.faces_[f], frames_[f], cell.points_));
+    if (!maps_[f].empty()) with_section_[f / 64] |= std::uint64_t{1} << (f % 64);
+  }
+  std::vector<double> length(vertices_.size(), 0);
+  std::vector<std::uint32_t> count(vertices_.size(), 0);
+  for (std::size_t f = 0; f < face_count; ++f)
+    maps_[f].for_each_border_edge([&](std::uint32_t p, std::uint32_t q, double edge) {
+      for (const std::uint32_t v : {p, q}) {
+        const std::uint32_t at = cell.local(cell.faces_[f].numbers[v]);
+        length[at] += edge;
+        ++count[at];
+      }
+    });
+  for (std::size_t v = 0; v < length.size(); ++v) spacing_.push_back(count[v] == 0 ? 0 : kSpacing * length[v] / count[v]);
+}
+
+/// Automatic: only where two section components meet; their own sections are told apart at the samples.
+std::uint64_t BranchingCell::Sampler::wanted(std::uint32_t a, std::uint32_t b) const {
+  const std::uint32_t la = cell_.labels_[a], lb = cell_.labels_[b];
+  if (la == kNone || lb == kNone) return 0;
+  if (cell_.options_.mode == Branching::automatic) return la != lb ? with_section_[word_] : 0;
+  int shared = 0;  // all: not both on one common line of planes; contour neighbours are dropped later
+  for (std::uint32_t w = 0; w < vertices_.words; ++w)
+    shared += std::popcount(vertices_.mask(a, w) & vertices_.mask(b, w));
+  if (shared > 1 || cell_.contour_neighbours(a, b)) return 0;
+  return with_section_[word_];
+}
+
+/// The sphere tangent at a meets the interior of another section before it meets the sites: a does not branch there.
+bool BranchingCell::Sampler::stopped(std::size_t face, Vec2 a, double radius) const {
+  const Vec3 at = frames_[face].to_space(a), up = frames_[face].up();
+  for (std::size_t f = 0; f < frames_.size(); ++f) {
+    if (f == face || maps_[f].empty()) continue;
+    const Vec3 n = frames_[f].up();
+    const double toward = 1 - dot(up, n), distance = frames_[f].height(at);
+    if (!(distance < radius * toward)) continue;
+    const double r = distance / toward;
+    if (maps_[f].triangle_at(frames_[f].to_plane(at + r * up)) != kNone) return true;
+  }
+  return false;
+}
+
+bool BranchingCell::Sampler::is_branching(std::size_t face, const Candidate& c, double radius) const {
+  const std::uint32_t t = maps_[face].triangle_at(c.at);
+  if (t == kNone) return false;
+  if (cell_.options_.mode == Branching::automatic) {
+    const CellFace& f = cell_.faces_[face];
+    const std::uint32_t own = cell_.labels_[cell_.local(f.numbers[f.triangulation->triangles[t][0]])];
+    if (own == cell_.labels_[c.sites[0]] || own == cell_.labels_[c.sites[1]]) return false;
+  }
+  return !stopped(face, c.at, radius);
+}
+
+/// Takes the lattice point next to the candidate if it is strictly inside and not near what is there.
+bool BranchingCell::Sampler::keep(std::size_t face, const Candidate& c, FaceBranching& out) const {
+  const double clear = kClearance * c.spacing;
+  if (maps_[face].squared_distance_to_border(c.at, clear * clear) < clear * clear) return false;
+  const LatticePlane& plane = frames_[face].plane();
+  const auto [u, v] = nearest_coordinates(plane, frames_[face].to_space(c.at));
+  const LatticePoint p = plane_point(plane, u, v);
+  const Vec2 at = frames_[face].to_plane(p);
+  for (const LatticePoint& other : out.samples) {
+    const Vec2 d = frames_[face].to_plane(other) - at;
+    if (dot(d, d) < c.spacing * c.spacing) return false;
+  }
+  if (!OpenFace(cell_.graph_, cell_.arrangement_, out.face).contains(p)) return false;
+  const auto& locator = cell_.locators_[cell_.arrangement_.plane_of(out.face).value];
+  if (locator.locate(p) != SectionLocator::Place::inside) return false;
+  out.samples.push_back(p);
+  return true;
+}
+
+void BranchingCell::Sampler::sample_face(std::size_t face, CellDiagrams& diagrams, FaceBranching& out) {
+  const auto in_word = static_cast<std::uint32_t>(face % 64);
+  std::vector<Candidate> candidates;
+  std::vector<Vec2> points;
+  const Box2 box = maps_[face].box();
+  for (const FaceArc& arc : out.arcs) {
+    const double spacing = std::max(spacing_[arc.sites[0]], spacing_[arc.sites[1]]);
+    if (!(spacing > 0)) continue;
+    points.clear();
+    sample_arc(arc, spacing / 2, box, points);
+    for (const Vec2 a : points) {
+      const Candidate c{a, arc.sites, spacing};
+      if (is_branching(face, c, tangent_radius(diagrams.site(arc.sites[0], in_word), a))) keep(face, c, out);
+    }
+  }
+}
+
+CellBranching BranchingCell::Sampler::run() {
+  CellBranching result;
+  for (word_ = 0; word_ < vertices_.words; ++word_) {
+    const CellSites sites{vertices_.points, &mesh_, frames_, vertices_.face_masks, vertices_.words};
+    CellDiagrams diagrams(sites, word_);
+    const std::size_t first = 64 * std::size_t{word_}, count = std::min<std::size_t>(64, frames_.size() - first);
+    std::vector<std::vector<FaceArc>> arcs(count);
+    diagrams.arcs([&](std::uint32_t a, std::uint32_t b) { return wanted(a, b); }, arcs);
+    for (std::size_t f = first; f < first + count; ++f) {
+      if (arcs[f - first].empty()) continue;
+      FaceBranching face;
+      face.face = cell_.ids_[f];
+      face.side = cell_.arrangement_.cells_of(face.face)[1] == cell_.cell_ ? 1 : 0;
+      face.frame = frames_[f];
+      face.arcs = std::move(arcs[f - first]);
+      sample_face(f, diagrams, face);
+      result.faces.push_back(std::move(face));
+    }
+  }
+  return result;
+}
+
+CellBranching BranchingCell::run(const CellTriangulation& triangulation) {
+  const auto begin = std::chrono::steady_clock::now();
+  CellBranching result = Sampler(*this, triangulation).run();
+  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return result;
+}
+
+}  // namespace crossloft

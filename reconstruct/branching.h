@@ -1,0 +1,62 @@
+#pragma once
+/// Samples of the branching and cutting diagrams of one cell (paper, section 2): points inside sections where the reconstruction
+/// changes over from one neighbour to another.
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "../arrangement/section_graph.h"
+#include "../moebius/face_diagram.h"
+#include "branching_options.h"
+#include "cell_triangulation.h"
+
+namespace crossloft {
+
+/// What the diagram of one face, seen from one of its two cells, has given.
+struct FaceBranching {
+  FaceId face;
+  std::size_t side = 0;                ///< 0: seen from the cell on the negative side of the plane, 1: positive
+  FaceFrame frame;                     ///< plane coordinates of the arcs
+  std::vector<FaceArc> arcs;           ///< those that samples were looked for on
+  std::vector<LatticePoint> samples;   ///< strictly inside the face and its section
+};
+
+struct CellBranching {
+  std::vector<FaceBranching> faces;    ///< those with arcs
+  double seconds = 0;                  ///< of the diagrams and samples, without the triangulation
+};
+
+/// Works out the samples of one cell. References must outlive it.
+class BranchingCell {
+ public:
+  /// `ids` and `faces` in step: the faces of the cell that are not on the box.
+  BranchingCell(const SectionGraph& graph, const Arrangement& arrangement, std::span<const SectionLocator> locators,
+                CellId cell, std::span<const FaceId> ids, std::span<const CellFace> faces,
+                const BranchingOptions& options);
+
+  /// False if no diagram of the cell can have a sample: then it needs no triangulation yet. In mode automatic a section
+  /// component must face two others, so there must be three.
+  bool may_branch() const;
+  /// REQUIRES: `triangulation` holds the vertices of the faces and has tetrahedra.
+  CellBranching run(const CellTriangulation& triangulation);
+
+ private:
+  void label_vertices();
+
+  const SectionGraph& graph_;
+  const Arrangement& arrangement_;
+  std::span<const SectionLocator> locators_;
+  CellId cell_;
+  std::span<const FaceId> ids_;
+  std::span<const CellFace> faces_;
+  BranchingOptions options_;
+  std::vector<std::uint32_t> numbers_;  ///< of the cell's vertices, ascending
+  std::vector<std::uint32_t> labels_;   ///< in step: section component, kNone for a vertex of no internal triangle
+  std::uint32_t components_ = 0;
+};
+
+/// Sorted, without repetitions: both sides of a face may have chosen the same point.
+std::vector<LatticePoint> distinct_samples(std::vector<LatticePoint> samples);
+
+}  // namespace crossloft

@@ -1,0 +1,20 @@
+#pragma once
+/// Which samples of the branching and cutting diagrams a reconstruction takes.
+
+#include <cstdint>
+
+namespace crossloft {
+
+/// Where branching samples are taken (paper, section 2).
+enum class Branching : std::uint8_t {
+  off,        ///< nowhere: the vertices of the sections alone
+  automatic,  ///< where a section faces two or more other sections
+  all         ///< everywhere on the branching diagram
+};
+
+struct BranchingOptions {
+  Branching mode = Branching::automatic;
+  bool cutting = false;  ///< also samples of the cutting diagram
+};
+
+}  // namespace crossloft

@@ -1,0 +1,58 @@
+#include "cell_triangulation.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include "../delaunay/lattice_predicates.h"
+#include "self_check.h"
+
+namespace crossloft {
+
+bool CellPredicates::collinear(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
+  int shared = 0;
+  for (std::uint32_t w = 0; w < v_->words; ++w)
+    shared += __builtin_popcountll(v_->mask(a, w) & v_->mask(b, w) & v_->mask(c, w));
+  return shared >= 2 || crossloft::collinear(v_->points[a], v_->points[b], v_->points[c]);
+}
+
+Result<Done> CellTriangulation::add(std::span<const CellFace> faces, std::span<const LatticePoint> points) {
+  const auto begin = std::chrono::steady_clock::now();
+  std::vector<std::uint32_t> known = vertices_.numbers, wanted, added;
+  std::sort(known.begin(), known.end());
+  for (const CellFace& face : faces) wanted.insert(wanted.end(), face.numbers.begin(), face.numbers.end());
+  std::sort(wanted.begin(), wanted.end());
+  wanted.erase(std::unique(wanted.begin(), wanted.end()), wanted.end());
+  std::set_difference(wanted.begin(), wanted.end(), known.begin(), known.end(), std::back_inserter(added));
+  const std::uint32_t first = vertices_.size();
+  for (const std::uint32_t number : added) {
+    vertices_.numbers.push_back(number);
+    vertices_.points.push_back(points[number]);
+  }
+  vertices_.face_masks.resize(vertices_.numbers.size() * vertices_.words, 0);
+  for (std::size_t f = 0; f < faces.size(); ++f)
+    for (const std::uint32_t number : faces[f].numbers) {
+      const auto at = std::lower_bound(added.begin(), added.end(), number);
+      if (at == added.end() || *at != number) continue;
+      const auto v = first + static_cast<std::size_t>(at - added.begin());
+      vertices_.face_masks[v * vertices_.words + f / 64] |= std::uint64_t{1} << (f % 64);
+    }
+  if (first == 0)
+    delaunay_.build();
+  else
+    delaunay_.extend(first);
+  seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return self_check("Delaunay of a cell", [&] { return delaunay_.verify(); });
+}
+
+void CellTriangulation::renumber(std::span<const std::uint32_t> new_number) {
+  for (std::uint32_t& number : vertices_.numbers) number = new_number[number];
+}
+
+bool has_section(std::span<const CellFace> faces) {
+  return std::any_of(faces.begin(), faces.end(), [](const CellFace& face) {
+    const auto& internal = face.triangulation->internal;
+    return std::find(internal.begin(), internal.end(), 1) != internal.end();
+  });
+}
+
+}  // namespace crossloft

@@ -1,0 +1,105 @@
+#include "section_map.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace crossloft {
+namespace {
+
+std::array<double, 2> range_of(std::initializer_list<double> values) { return {std::min(values), std::max(values)}; }
+
+/// Edges that one triangle alone has.
+std::vector<std::array<std::uint32_t, 2>> border_of(std::span<const std::array<std::uint32_t, 3>> triangles) {
+  std::vector<std::array<std::uint32_t, 2>> edges, border;
+  for (const auto& t : triangles)
+    for (std::size_t i = 0; i < 3; ++i) edges.push_back({std::min(t[i], t[(i + 1) % 3]), std::max(t[i], t[(i + 1) % 3])});
+  std::sort(edges.begin(), edges.end());
+  for (std::size_t i = 0; i < edges.size(); ++i)
+    if ((i == 0 || edges[i - 1] != edges[i]) && (i + 1 == edges.size() || edges[i + 1] != edges[i]))
+      border.push_back(edges[i]);
+  return border;
+}
+
+}  // namespace
+
+double squared_distance(Vec2 a, Vec2 p, Vec2 q) {
+  const Vec2 d = q - p, e = a - p;
+  const double length = dot(d, d);
+  const double t = length > 0 ? std::clamp(dot(d, e) / length, 0.0, 1.0) : 0;
+  const Vec2 away = e - t * d;
+  return dot(away, away);
+}
+
+SectionMap::SectionMap(const FaceTriangulation& face, std::vector<Vec2> points) : points_(std::move(points)) {
+  for (std::uint32_t t = 0; t < face.triangles.size(); ++t)
+    if (face.internal[t] != 0) {
+      numbers_.push_back(t);
+      triangles_.push_back(face.triangles[t]);
+    }
+  if (triangles_.empty()) return;
+  border_ = border_of(triangles_);
+  double high = low_ = points_[border_[0][0]].y;
+  for (const auto& [a, b] : border_) {
+    const Vec2 d = points_[b] - points_[a];
+    mean_edge_ += std::sqrt(dot(d, d)) / static_cast<double>(border_.size());
+    low_ = std::min({low_, points_[a].y, points_[b].y});
+    high = std::max({high, points_[a].y, points_[b].y});
+  }
+  strip_count_ = static_cast<std::uint32_t>(std::sqrt(static_cast<double>(triangles_.size()))) + 1;
+  per_height_ = high > low_ ? strip_count_ / (high - low_) : 0;
+  triangle_strips_ = sort_into_strips(triangles_.size(), [&](std::size_t t) {
+    const auto& v = triangles_[t];
+    return range_of({points_[v[0]].y, points_[v[1]].y, points_[v[2]].y});
+  });
+  border_strips_ = sort_into_strips(border_.size(), [&](std::size_t e) {
+    return range_of({points_[border_[e][0]].y, points_[border_[e][1]].y});
+  });
+}
+
+std::uint32_t SectionMap::strip_of(double y) const {
+  return static_cast<std::uint32_t>(std::clamp((y - low_) * per_height_, 0.0, strip_count_ - 1.0));
+}
+
+template <class Range>
+SectionMap::Strips SectionMap::sort_into_strips(std::size_t count, Range&& range) const {
+  Strips strips;
+  strips.begin.assign(strip_count_ + 1, 0);
+  const auto for_each = [&](auto&& act) {
+    for (std::uint32_t i = 0; i < count; ++i) {
+      const auto [low, high] = range(i);
+      for (std::uint32_t s = strip_of(low); s <= strip_of(high); ++s) act(s, i);
+    }
+  };
+  for_each([&](std::uint32_t s, std::uint32_t) { ++strips.begin[s + 1]; });
+  for (std::uint32_t s = 0; s < strip_count_; ++s) strips.begin[s + 1] += strips.begin[s];
+  strips.items.resize(strips.begin.back());
+  std::vector<std::uint32_t> next(strips.begin.begin(), strips.begin.end() - 1);
+  for_each([&](std::uint32_t s, std::uint32_t i) { strips.items[next[s]++] = i; });
+  return strips;
+}
+
+std::uint32_t SectionMap::triangle_at(Vec2 a) const {
+  if (empty()) return kNone;
+  const std::uint32_t s = strip_of(a.y);
+  for (std::uint32_t k = triangle_strips_.begin[s]; k < triangle_strips_.begin[s + 1]; ++k) {
+    const auto& v = triangles_[triangle_strips_.items[k]];
+    const Vec2 p = points_[v[0]], q = points_[v[1]], r = points_[v[2]];
+    const double u = cross(q - p, a - p), w = cross(r - q, a - q), x = cross(p - r, a - r);
+    if ((u >= 0 && w >= 0 && x >= 0) || (u <= 0 && w <= 0 && x <= 0)) return numbers_[triangle_strips_.items[k]];
+  }
+  return kNone;
+}
+
+double SectionMap::squared_distance_to_border(Vec2 a, double limit) const {
+  if (empty()) return limit;
+  const double reach = std::sqrt(limit);
+  double best = limit;
+  for (std::uint32_t s = strip_of(a.y - reach); s <= strip_of(a.y + reach); ++s)
+    for (std::uint32_t k = border_strips_.begin[s]; k < border_strips_.begin[s + 1]; ++k) {
+      const auto& [p, q] = border_[border_strips_.items[k]];
+      best = std::min(best, squared_distance(a, points_[p], points_[q]));
+    }
+  return best;
+}
+
+}  // namespace crossloft
