@@ -18,7 +18,7 @@ namespace {
 
 struct Arguments {
   std::string input, surface, solid, report, sections, picture;
-  std::string mode = "joint";
+  std::string mode = "joint", branching = "auto";
   Options options;
   unsigned threads = 0;
   bool quiet = false;
@@ -28,6 +28,10 @@ PruneMode mode_named(const std::string& name) {
   return name == "paper"           ? PruneMode::paper
          : name == "paper-literal" ? PruneMode::paper_literal
                                    : PruneMode::joint;
+}
+
+Branching branching_named(const std::string& name) {
+  return name == "off" ? Branching::off : name == "all" ? Branching::all : Branching::automatic;
 }
 
 /// The files that were asked for, one after the other; each appears whole or not at all.
@@ -51,6 +55,7 @@ ExitCode run(Arguments arguments) {
   Terminal terminal(arguments.quiet);
   const Context context = terminal.context(arguments.threads);
   arguments.options.mode = mode_named(arguments.mode);
+  arguments.options.branching.mode = branching_named(arguments.branching);
   if (auto outputs = check_outputs({arguments.input}, {arguments.surface, arguments.solid, arguments.report,
                                                        arguments.sections, arguments.picture});
       !outputs)
@@ -82,6 +87,12 @@ void add_reconstruct(CLI::App& program, ExitCode& outcome) {
   command->add_option("--mode", a.mode, "pruning: joint keeps most, paper as Boissonnat and Memari")
       ->capture_default_str()
       ->check(CLI::IsMember({"joint", "paper", "paper-literal"}));
+  command
+      ->add_option("--branching", a.branching,
+                   "samples where a section branches: auto where it faces several others, all of the branching diagram")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"off", "auto", "all"}));
+  command->add_flag("--cutting", a.options.branching.cutting, "also samples of the cutting diagram");
   command
       ->add_option(
           "--match-tolerance", a.options.match_tolerance,

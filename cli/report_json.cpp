@@ -10,8 +10,9 @@ using Json = nlohmann::ordered_json;
 Json to_json(const StageSeconds& s) {
   return {{"input", s.input},         {"arrangement", s.arrangement},
           {"crossings", s.crossings}, {"faces", s.faces},
-          {"delaunay", s.delaunay},   {"pruning", s.pruning},
-          {"gluing", s.gluing},       {"total", s.total}};
+          {"branching", s.branching}, {"delaunay", s.delaunay},
+          {"pruning", s.pruning},     {"gluing", s.gluing},
+          {"total", s.total}};
 }
 
 Json to_json(const PlaneReport& p) {
@@ -36,8 +37,14 @@ Json to_json(const std::vector<T>& items) {
   return list;
 }
 
+const char* branching_name(Branching mode) {
+  return mode == Branching::off ? "off" : mode == Branching::all ? "all" : "auto";
+}
+
 Json to_json(const Options& o) {
-  return {{"match_tolerance", o.match_tolerance},
+  return {{"branching", branching_name(o.branching.mode)},
+          {"cutting", o.branching.cutting},
+          {"match_tolerance", o.match_tolerance},
           {"plane_tolerance", o.plane_tolerance},
           {"on_tolerance", o.on_tolerance}};
 }
@@ -59,6 +66,10 @@ Json lines_part(const Report& r) {
           {"largest_match_gap", r.largest_match_gap},
           {"disagreeing_vertices", r.disagreeing_vertices},
           {"unmatched", to_json(r.unmatched)}};
+}
+
+Json branching_part(const Report& r) {
+  return {{"faces", r.branching_faces}, {"arcs", r.branching_arcs}, {"samples", r.branching_samples}};
 }
 
 Json arrangement_part(const Report& r) {
@@ -93,6 +104,7 @@ std::string report_json(const Report& report, const ReportOrigin& origin) {
   json["input"] = input_part(report);
   json["lines"] = lines_part(report);
   json["arrangement"] = arrangement_part(report);
+  json["branching"] = branching_part(report);
   json["result"] = result_part(report);
   json["cells"] = to_json(report.cells);
   json["notes"] = report.notes;

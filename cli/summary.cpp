@@ -11,6 +11,7 @@ void print_summary(Terminal& terminal, const Report& report) {
                  report.surface_vertices);
   terminal.print("crossings    %u on common lines of two planes, %zu unmatched\n", report.crossings,
                  report.unmatched.size());
+  terminal.print("branching    %u samples on %u faces\n", report.branching_samples, report.branching_faces);
   terminal.print("flat         %u regions, area %.6g of %.6g\n", report.flat_regions, report.flat_area,
                  report.section_area);
   terminal.print("pinched      %u vertices, %u edges\n", report.pinched_vertices, report.pinched_edges);

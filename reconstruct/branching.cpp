@@ -26,6 +26,15 @@ struct Candidate {
   double spacing = 0;
 };
 
+/// A face while its samples are chosen.
+struct FaceState {
+  std::size_t face;  ///< of the cell
+  OpenFace open;
+  const SectionLocator& locator;
+  std::vector<Vec2> taken;  ///< plane coordinates of the samples
+  std::vector<LatticePoint>& samples;
+};
+
 SectionMap section_map(const CellFace& face, const FaceFrame& frame, std::span<const LatticePoint> points) {
   std::vector<Vec2> at;
   for (const std::uint32_t number : face.numbers) at.push_back(frame.to_plane(points[number]));
@@ -46,7 +55,7 @@ class BranchingCell::Sampler {
   void sample_face(std::size_t face, CellDiagrams& diagrams, FaceBranching& out);
   bool is_branching(std::size_t face, const Candidate& c, double radius) const;
   bool stopped(std::size_t face, Vec2 a, double radius) const;
-  bool keep(std::size_t face, const Candidate& c, FaceBranching& out) const;
+  bool keep(const Candidate& c, FaceState& state) const;
 
   const BranchingCell& cell_;
   const CellVertices& vertices_;
@@ -54,15 +63,17 @@ class BranchingCell::Sampler {
   std::vector<FaceFrame> frames_;
   std::vector<SectionMap> maps_;
   std::vector<double> spacing_;              ///< by vertex
+  std::vector<std::array<std::uint32_t, 2>> neighbours_;  ///< pairs of vertices joined by a section's border, sorted
   std::vector<std::uint64_t> with_section_;  ///< bits of faces, by word
   std::uint32_t word_ = 0;
 };
 
 BranchingCell::BranchingCell(const SectionGraph& graph, const Arrangement& arrangement,
                              std::span<const SectionLocator> locators, CellId cell, std::span<const FaceId> ids,
-                             std::span<const CellFace> faces, const BranchingOptions& options)
+                             std::span<const CellFace> faces, std::span<const LatticePoint> points,
+                             const BranchingOptions& options)
     : graph_(graph), arrangement_(arrangement), locators_(locators), cell_(cell), ids_(ids), faces_(faces),
-      options_(options) {
+      points_(points), options_(options) {
   label_vertices();
 }
 
@@ -71,9 +82,6 @@ void BranchingCell::label_vertices() {
   for (const CellFace& face : faces_) numbers_.insert(numbers_.end(), face.numbers.begin(), face.numbers.end());
   std::sort(numbers_.begin(), numbers_.end());
   numbers_.erase(std::unique(numbers_.begin(), numbers_.end()), numbers_.end());
-  const auto local = [&](std::uint32_t number) {
-    return static_cast<std::uint32_t>(std::lower_bound(numbers_.begin(), numbers_.end(), number) - numbers_.begin());
-  };
   std::vector<std::uint32_t> parent(numbers_.size(), kNone);
   const auto root = [&](std::uint32_t v) {
     while (parent[v] != v) v = parent[v] = parent[parent[v]];
@@ -128,12 +136,12 @@ BranchingCell::Sampler::Sampler(const BranchingCell& cell, const CellTriangulati
   std::vector<std::uint32_t> count(vertices_.size(), 0);
   for (std::size_t f = 0; f < face_count; ++f)
     maps_[f].for_each_border_edge([&](std::uint32_t p, std::uint32_t q, double edge) {
-      for (const std::uint32_t v : {p, q}) {
-        const std::uint32_t at = cell.local(cell.faces_[f].numbers[v]);
-        length[at] += edge;
-        ++count[at];
-      }
+      const auto& numbers = cell.faces_[f].numbers;
+      const std::uint32_t a = cell.local(numbers[p]), b = cell.local(numbers[q]);
+      neighbours_.push_back({std::min(a, b), std::max(a, b)});
+      for (const std::uint32_t v : {a, b}) length[v] += edge, ++count[v];
     });
+  std::sort(neighbours_.begin(), neighbours_.end());
   for (std::size_t v = 0; v < length.size(); ++v) spacing_.push_back(count[v] == 0 ? 0 : kSpacing * length[v] / count[v]);
 }
 
@@ -142,10 +150,10 @@ std::uint64_t BranchingCell::Sampler::wanted(std::uint32_t a, std::uint32_t b) c
   const std::uint32_t la = cell_.labels_[a], lb = cell_.labels_[b];
   if (la == kNone || lb == kNone) return 0;
   if (cell_.options_.mode == Branching::automatic) return la != lb ? with_section_[word_] : 0;
-  int shared = 0;  // all: not both on one common line of planes; contour neighbours are dropped later
+  int shared = 0;  // all: neither both on one line of planes nor neighbours
   for (std::uint32_t w = 0; w < vertices_.words; ++w)
     shared += std::popcount(vertices_.mask(a, w) & vertices_.mask(b, w));
-  if (shared > 1 || cell_.contour_neighbours(a, b)) return 0;
+  if (shared > 1 || std::binary_search(neighbours_.begin(), neighbours_.end(), std::array{a, b})) return 0;
   return with_section_[word_];
 }
 
@@ -155,7 +163,7 @@ bool BranchingCell::Sampler::stopped(std::size_t face, Vec2 a, double radius) co
   for (std::size_t f = 0; f < frames_.size(); ++f) {
     if (f == face || maps_[f].empty()) continue;
     const Vec3 n = frames_[f].up();
-    const double toward = 1 - dot(up, n), distance = frames_[f].height(at);
+    const double toward = 1 - dot(up, n), distance = dot(n, at - frames_[f].to_space(frames_[f].to_plane(at)));
     if (!(distance < radius * toward)) continue;
     const double r = distance / toward;
     if (maps_[f].triangle_at(frames_[f].to_plane(at + r * up)) != kNone) return true;
@@ -175,29 +183,26 @@ bool BranchingCell::Sampler::is_branching(std::size_t face, const Candidate& c, 
 }
 
 /// Takes the lattice point next to the candidate if it is strictly inside and not near what is there.
-bool BranchingCell::Sampler::keep(std::size_t face, const Candidate& c, FaceBranching& out) const {
+bool BranchingCell::Sampler::keep(const Candidate& c, FaceState& state) const {
   const double clear = kClearance * c.spacing;
-  if (maps_[face].squared_distance_to_border(c.at, clear * clear) < clear * clear) return false;
-  const LatticePlane& plane = frames_[face].plane();
-  const auto [u, v] = nearest_coordinates(plane, frames_[face].to_space(c.at));
-  const LatticePoint p = plane_point(plane, u, v);
-  const Vec2 at = frames_[face].to_plane(p);
-  for (const LatticePoint& other : out.samples) {
-    const Vec2 d = frames_[face].to_plane(other) - at;
-    if (dot(d, d) < c.spacing * c.spacing) return false;
-  }
-  if (!OpenFace(cell_.graph_, cell_.arrangement_, out.face).contains(p)) return false;
-  const auto& locator = cell_.locators_[cell_.arrangement_.plane_of(out.face).value];
-  if (locator.locate(p) != SectionLocator::Place::inside) return false;
-  out.samples.push_back(p);
+  const FaceFrame& frame = frames_[state.face];
+  for (const Vec2 other : state.taken)
+    if (dot(other - c.at, other - c.at) < c.spacing * c.spacing) return false;
+  if (maps_[state.face].squared_distance_to_border(c.at, clear * clear) < clear * clear) return false;
+  const auto [u, v] = nearest_coordinates(frame.plane(), frame.to_space(c.at));
+  const LatticePoint p = plane_point(frame.plane(), u, v);
+  if (!state.open.contains(p) || state.locator.locate(p) != SectionLocator::Place::inside) return false;
+  state.samples.push_back(p);
+  state.taken.push_back(c.at);
   return true;
 }
 
 void BranchingCell::Sampler::sample_face(std::size_t face, CellDiagrams& diagrams, FaceBranching& out) {
   const auto in_word = static_cast<std::uint32_t>(face % 64);
-  std::vector<Candidate> candidates;
-  std::vector<Vec2> points;
+  FaceState state{face, OpenFace(cell_.graph_, cell_.arrangement_, out.face),
+                  cell_.locators_[cell_.arrangement_.plane_of(out.face).value], {}, out.samples};
   const Box2 box = maps_[face].box();
+  std::vector<Vec2> points;
   for (const FaceArc& arc : out.arcs) {
     const double spacing = std::max(spacing_[arc.sites[0]], spacing_[arc.sites[1]]);
     if (!(spacing > 0)) continue;
@@ -205,7 +210,7 @@ void BranchingCell::Sampler::sample_face(std::size_t face, CellDiagrams& diagram
     sample_arc(arc, spacing / 2, box, points);
     for (const Vec2 a : points) {
       const Candidate c{a, arc.sites, spacing};
-      if (is_branching(face, c, tangent_radius(diagrams.site(arc.sites[0], in_word), a))) keep(face, c, out);
+      if (is_branching(face, c, tangent_radius(diagrams.site(arc.sites[0], in_word), a))) keep(c, state);
     }
   }
 }
@@ -232,7 +237,7 @@ CellBranching BranchingCell::Sampler::run() {
   return result;
 }
 
-CellBranching BranchingCell::run(const CellTriangulation& triangulation) {
+CellBranching BranchingCell::run(const CellTriangulation& triangulation) const {
   const auto begin = std::chrono::steady_clock::now();
   CellBranching result = Sampler(*this, triangulation).run();
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

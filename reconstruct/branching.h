@@ -2,6 +2,7 @@
 /// Samples of the branching and cutting diagrams of one cell (paper, section 2): points inside sections where the reconstruction
 /// changes over from one neighbour to another.
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -30,19 +31,24 @@ struct CellBranching {
 /// Works out the samples of one cell. References must outlive it.
 class BranchingCell {
  public:
-  /// `ids` and `faces` in step: the faces of the cell that are not on the box.
+  /// `ids` and `faces` in step: the faces of the cell that are not on the box. `points` by number.
   BranchingCell(const SectionGraph& graph, const Arrangement& arrangement, std::span<const SectionLocator> locators,
                 CellId cell, std::span<const FaceId> ids, std::span<const CellFace> faces,
-                const BranchingOptions& options);
+                std::span<const LatticePoint> points, const BranchingOptions& options);
 
   /// False if no diagram of the cell can have a sample: then it needs no triangulation yet. In mode automatic a section
   /// component must face two others, so there must be three.
   bool may_branch() const;
   /// REQUIRES: `triangulation` holds the vertices of the faces and has tetrahedra.
-  CellBranching run(const CellTriangulation& triangulation);
+  CellBranching run(const CellTriangulation& triangulation) const;
 
  private:
+  class Sampler;
   void label_vertices();
+  /// Position of a vertex number in the cell.
+  std::uint32_t local(std::uint32_t number) const {
+    return static_cast<std::uint32_t>(std::lower_bound(numbers_.begin(), numbers_.end(), number) - numbers_.begin());
+  }
 
   const SectionGraph& graph_;
   const Arrangement& arrangement_;
@@ -50,6 +56,7 @@ class BranchingCell {
   CellId cell_;
   std::span<const FaceId> ids_;
   std::span<const CellFace> faces_;
+  std::span<const LatticePoint> points_;
   BranchingOptions options_;
   std::vector<std::uint32_t> numbers_;  ///< of the cell's vertices, ascending
   std::vector<std::uint32_t> labels_;   ///< in step: section component, kNone for a vertex of no internal triangle

@@ -20,8 +20,8 @@ class Observer {
  public:
   virtual ~Observer() = default;
   virtual void on_sections(const FramedSections&, const Arrangement&, const SectionGraph&) {}
-  /// One side of a face on whose branching diagram samples were taken.
-  virtual void on_branching(const FaceBranching&, const FramedSections&) {}
+  /// One side of a face, with the triangulation and numbers from before samples came in.
+  virtual void on_branching(const FaceBranching&, const FaceTriangulation&, const Numbering&) {}
   virtual void on_face(const FaceTriangulation&, const Numbering&) {}
   virtual void on_cell(CellId, const BuiltCell&, const PruneResult&) {}
   /// All kept tetrahedra by final vertex numbers.

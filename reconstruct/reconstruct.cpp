@@ -204,6 +204,7 @@ void Pipeline::finish_faces() {
   for (const FaceTriangulation& face : faces_) {
     result_.report.edge_splits += static_cast<std::uint32_t>(face.added.size()) - face.samples;
     result_.report.branching_samples += face.samples;
+    result_.report.branching_faces += face.samples != 0;
   }
   if (observer_)
     for (const FaceTriangulation& face : faces_)
@@ -230,7 +231,7 @@ Result<Done> Pipeline::branch(CellId id, CellBranching& branching) {
   const std::vector<FaceId> ids = inner_faces(id);
   const std::vector<CellFace> faces = cell_faces(ids);
   if (!has_section(faces)) return Done{};
-  BranchingCell cell(graph_, *arrangement_, locators_, id, ids, faces, options_.branching);
+  BranchingCell cell(graph_, *arrangement_, locators_, id, ids, faces, numbering_.points, options_.branching);
   if (!cell.may_branch()) return Done{};
   auto triangulation = std::make_unique<CellTriangulation>(faces.size());
   if (auto done = triangulation->add(faces, numbering_.points); !done) return done.error();
@@ -256,12 +257,14 @@ Result<Done> Pipeline::add_samples() {
   std::vector<std::vector<LatticePoint>> samples(faces_.size());
   for (const CellBranching& cell : cells) {
     result_.report.seconds.branching += cell.seconds;
-    for (const FaceBranching& face : cell.faces)
+    for (const FaceBranching& face : cell.faces) {
+      result_.report.branching_arcs += static_cast<std::uint32_t>(face.arcs.size());
       samples[face.face.value].insert(samples[face.face.value].end(), face.samples.begin(), face.samples.end());
+    }
   }
   if (observer_)
     for (const CellBranching& cell : cells)
-      for (const FaceBranching& face : cell.faces) observer_->on_branching(face, framed_);
+      for (const FaceBranching& face : cell.faces) observer_->on_branching(face, faces_[face.face.value], numbering_);
   watch_.lap();
   if (auto done = refine_faces(samples); !done) return done.error();
   finish_faces();

@@ -38,15 +38,14 @@ SectionMap::SectionMap(const FaceTriangulation& face, std::vector<Vec2> points) 
     }
   if (triangles_.empty()) return;
   border_ = border_of(triangles_);
-  double high = low_ = points_[border_[0][0]].y;
-  for (const auto& [a, b] : border_) {
-    const Vec2 d = points_[b] - points_[a];
-    mean_edge_ += std::sqrt(dot(d, d)) / static_cast<double>(border_.size());
-    low_ = std::min({low_, points_[a].y, points_[b].y});
-    high = std::max({high, points_[a].y, points_[b].y});
-  }
+  box_ = {points_[border_[0][0]], points_[border_[0][0]]};
+  for (const auto& edge : border_)
+    for (const std::uint32_t v : edge) {
+      box_.low = {std::min(box_.low.x, points_[v].x), std::min(box_.low.y, points_[v].y)};
+      box_.high = {std::max(box_.high.x, points_[v].x), std::max(box_.high.y, points_[v].y)};
+    }
   strip_count_ = static_cast<std::uint32_t>(std::sqrt(static_cast<double>(triangles_.size()))) + 1;
-  per_height_ = high > low_ ? strip_count_ / (high - low_) : 0;
+  per_height_ = box_.high.y > box_.low.y ? strip_count_ / (box_.high.y - box_.low.y) : 0;
   triangle_strips_ = sort_into_strips(triangles_.size(), [&](std::size_t t) {
     const auto& v = triangles_[t];
     return range_of({points_[v[0]].y, points_[v[1]].y, points_[v[2]].y});
@@ -57,7 +56,7 @@ SectionMap::SectionMap(const FaceTriangulation& face, std::vector<Vec2> points) 
 }
 
 std::uint32_t SectionMap::strip_of(double y) const {
-  return static_cast<std::uint32_t>(std::clamp((y - low_) * per_height_, 0.0, strip_count_ - 1.0));
+  return static_cast<std::uint32_t>(std::clamp((y - box_.low.y) * per_height_, 0.0, strip_count_ - 1.0));
 }
 
 template <class Range>

@@ -8,6 +8,7 @@
 
 #include "../geom/ids.h"
 #include "../geom/vec2.h"
+#include "../moebius/arc_sampling.h"
 #include "face_triangulation.h"
 
 namespace crossloft {
@@ -23,10 +24,13 @@ class SectionMap {
   std::uint32_t triangle_at(Vec2 a) const;
   /// Square of the distance from a to the border of the section, `limit` if that is smaller.
   double squared_distance_to_border(Vec2 a, double limit) const;
-  /// Plane coordinates of a local vertex of the face.
-  Vec2 point(std::uint32_t v) const { return points_[v]; }
-  /// Mean length of the border's edges.
-  double mean_edge() const { return mean_edge_; }
+  /// Calls act(a, b, length) for each edge of the section's border, local vertices of the face.
+  template <class Act>
+  void for_each_border_edge(Act&& act) const {
+    for (const auto& [a, b] : border_) act(a, b, std::sqrt(dot(points_[b] - points_[a], points_[b] - points_[a])));
+  }
+  /// Around the section.
+  Box2 box() const { return box_; }
 
  private:
   /// Items in strips: those of strip s are items[begin[s] .. begin[s + 1]).
@@ -41,7 +45,8 @@ class SectionMap {
   std::vector<std::uint32_t> numbers_;                   ///< of the internal triangles in the face
   std::vector<std::array<std::uint32_t, 3>> triangles_;  ///< the internal ones
   std::vector<std::array<std::uint32_t, 2>> border_;
-  double low_ = 0, per_height_ = 0, mean_edge_ = 0;
+  Box2 box_;
+  double per_height_ = 0;
   std::uint32_t strip_count_ = 1;
   Strips triangle_strips_, border_strips_;
 };
