@@ -14,16 +14,19 @@
 namespace crossloft {
 namespace {
 
-/// Distance between samples, in mean contour edges at the two sites: closer ones gain no volume and cost tetrahedra.
-constexpr double kSpacing = 4;
-/// Distance of samples from the section's border, in spacings: nearer ones would break up contour edges.
-constexpr double kClearance = 0.25;
+/// Distance between samples, in mean contour edges at the two sites. On coarse and fine circles, spacings of 1 to 4 gave the
+/// same volume within 2 %; from 3 on, pieces of sections may stay bare.
+constexpr double kSpacing = 2;
+/// Distance of samples from the section's border, in the same edges: nearer ones would break up contour edges.
+constexpr double kClearance = 0.5;
 
 /// A point that may become a sample.
 struct Candidate {
   Vec2 at;
-  std::array<std::uint32_t, 2> sites{};
-  double spacing = 0;
+  std::uint32_t triangle = kNone;         ///< of its face
+  double spacing = 0;                     ///< wanted distance from other samples
+  std::array<std::uint32_t, 3> labels{};  ///< section components: its own and those of the two sites
+  bool always = false;                    ///< of use wherever it is
 };
 
 /// A face while its samples are chosen.
@@ -38,7 +41,7 @@ struct FaceState {
 SectionMap section_map(const CellFace& face, const FaceFrame& frame, std::span<const LatticePoint> points) {
   std::vector<Vec2> at;
   for (const std::uint32_t number : face.numbers) at.push_back(frame.to_plane(points[number]));
-  return SectionMap(*face.triangulation, std::move(at));
+  return SectionMap(*face.triangulation, std::move(at), face.side == 0);
 }
 
 }  // namespace
@@ -52,8 +55,11 @@ class BranchingCell::Sampler {
  private:
   /// Bits of the faces (of one word) whose arcs between a and b may carry samples.
   std::uint64_t wanted(std::uint32_t a, std::uint32_t b) const;
-  void sample_face(std::size_t face, CellDiagrams& diagrams, FaceBranching& out);
-  bool is_branching(std::size_t face, const Candidate& c, double radius) const;
+  void add_candidates(std::size_t face, std::span<const FaceArc> arcs, const CellDiagrams& diagrams, bool cutting);
+  void collect_arcs();
+  void find_lacking();
+  bool is_of_use(const Candidate& c) const;
+  void take(std::size_t face, FaceBranching& out) const;
   bool stopped(std::size_t face, Vec2 a, double radius) const;
   bool keep(const Candidate& c, FaceState& state) const;
 
@@ -65,16 +71,20 @@ class BranchingCell::Sampler {
   std::vector<double> spacing_;              ///< by vertex
   std::vector<std::array<std::uint32_t, 2>> neighbours_;  ///< pairs of vertices joined by a section's border, sorted
   std::vector<std::uint64_t> with_section_;  ///< bits of faces, by word
+  std::vector<std::vector<FaceArc>> arcs_;     ///< by face
+  std::vector<std::vector<Candidate>> found_;  ///< by face
+  std::vector<std::uint8_t> lacking_;  ///< by component: it is flat somewhere on its branching diagram
   std::uint32_t word_ = 0;
 };
 
 BranchingCell::BranchingCell(const SectionGraph& graph, const Arrangement& arrangement,
-                             std::span<const SectionLocator> locators, CellId cell, std::span<const FaceId> ids,
+                             std::span<const SectionLocator> locators, std::span<const FaceId> ids,
                              std::span<const CellFace> faces, std::span<const LatticePoint> points,
                              const BranchingOptions& options)
-    : graph_(graph), arrangement_(arrangement), locators_(locators), cell_(cell), ids_(ids), faces_(faces),
-      points_(points), options_(options) {
+    : graph_(graph), arrangement_(arrangement), locators_(locators), ids_(ids), faces_(faces), points_(points),
+      options_(options) {
   label_vertices();
+  find_bare();
 }
 
 /// A section component of a cell: internal triangles of its faces that hang together at vertices.
@@ -108,9 +118,25 @@ void BranchingCell::label_vertices() {
     }
 }
 
+void BranchingCell::find_bare() {
+  bare_.assign(labels_.size(), 1);
+  for (const CellFace& face : faces_)
+    for (std::size_t t = 0; t < face.triangulation->triangles.size(); ++t) {
+      if (face.triangulation->internal[t] == 0) continue;
+      if (face.covers(t)) bare_[label_of(face, t)] = 0;
+      flat_somewhere_ |= !face.covers(t) && !face.covered_behind(t);
+    }
+}
+
 bool BranchingCell::may_branch() const {
-  if (options_.mode == Branching::all || options_.cutting) return components_ > 1;
-  return options_.mode == Branching::automatic && components_ > 2;
+  return components_ > (options_.mode == Branching::all || options_.cutting ? 1 : 2);
+}
+
+bool BranchingCell::lacks_something() const {
+  if (options_.mode != Branching::automatic || flat_somewhere_) return true;
+  for (std::size_t v = 0; v < labels_.size(); ++v)
+    if (labels_[v] == v && bare_[v] != 0) return true;
+  return false;
 }
 
 std::vector<LatticePoint> distinct_samples(std::vector<LatticePoint> samples) {
@@ -127,8 +153,7 @@ BranchingCell::Sampler::Sampler(const BranchingCell& cell, const CellTriangulati
   with_section_.assign(vertices_.words, 0);
   for (std::size_t f = 0; f < face_count; ++f) {
     const FaceId id = cell.ids_[f];
-    const int side = cell.arrangement_.cells_of(id)[1] == cell.cell_ ? 1 : -1;
-    frames_.emplace_back(cell.graph_.planes[cell.arrangement_.plane_of(id).value], side);
+    frames_.emplace_back(cell.graph_.planes[cell.arrangement_.plane_of(id).value], cell.faces_[f].side == 1 ? 1 : -1);
     maps_.push_back(section_map(cell.faces_[f], frames_[f], cell.points_));
     if (!maps_[f].empty()) with_section_[f / 64] |= std::uint64_t{1} << (f % 64);
   }
@@ -171,20 +196,9 @@ bool BranchingCell::Sampler::stopped(std::size_t face, Vec2 a, double radius) co
   return false;
 }
 
-bool BranchingCell::Sampler::is_branching(std::size_t face, const Candidate& c, double radius) const {
-  const std::uint32_t t = maps_[face].triangle_at(c.at);
-  if (t == kNone) return false;
-  if (cell_.options_.mode == Branching::automatic) {
-    const CellFace& f = cell_.faces_[face];
-    const std::uint32_t own = cell_.labels_[cell_.local(f.numbers[f.triangulation->triangles[t][0]])];
-    if (own == cell_.labels_[c.sites[0]] || own == cell_.labels_[c.sites[1]]) return false;
-  }
-  return !stopped(face, c.at, radius);
-}
-
 /// Takes the lattice point next to the candidate if it is strictly inside and not near what is there.
 bool BranchingCell::Sampler::keep(const Candidate& c, FaceState& state) const {
-  const double clear = kClearance * c.spacing;
+  const double clear = kClearance / kSpacing * c.spacing;
   const FaceFrame& frame = frames_[state.face];
   for (const Vec2 other : state.taken)
     if (dot(other - c.at, other - c.at) < c.spacing * c.spacing) return false;
@@ -197,42 +211,81 @@ bool BranchingCell::Sampler::keep(const Candidate& c, FaceState& state) const {
   return true;
 }
 
-void BranchingCell::Sampler::sample_face(std::size_t face, CellDiagrams& diagrams, FaceBranching& out) {
+/// Points along the arcs inside the section, where the tangent sphere reaches the sites. In mode automatic, branching is
+/// between two other components than the point's own.
+void BranchingCell::Sampler::add_candidates(std::size_t face, std::span<const FaceArc> arcs,
+                                            const CellDiagrams& diagrams, bool cutting) {
   const auto in_word = static_cast<std::uint32_t>(face % 64);
-  FaceState state{face, OpenFace(cell_.graph_, cell_.arrangement_, out.face),
-                  cell_.locators_[cell_.arrangement_.plane_of(out.face).value], {}, out.samples};
-  const Box2 box = maps_[face].box();
+  const bool automatic = cell_.options_.mode == Branching::automatic && !cutting;
   std::vector<Vec2> points;
-  for (const FaceArc& arc : out.arcs) {
-    const double spacing = std::max(spacing_[arc.sites[0]], spacing_[arc.sites[1]]);
+  for (const FaceArc& arc : arcs) {
+    const auto& [i, j] = arc.sites;
+    const double spacing = std::max(spacing_[i], spacing_[j]);
     if (!(spacing > 0)) continue;
     points.clear();
-    sample_arc(arc, spacing / 2, box, points);
+    sample_arc(arc, spacing / 2, maps_[face].box(), points);
     for (const Vec2 a : points) {
-      const Candidate c{a, arc.sites, spacing};
-      if (is_branching(face, c, tangent_radius(diagrams.site(arc.sites[0], in_word), a))) keep(c, state);
+      const std::uint32_t triangle = maps_[face].triangle_at(a);
+      if (triangle == kNone) continue;
+      const std::uint32_t own = cell_.label_of(cell_.faces_[face], triangle);
+      const Candidate c{a, triangle, spacing, {own, cell_.labels_[i], cell_.labels_[j]}, !automatic};
+      if (automatic && (own == c.labels[1] || own == c.labels[2])) continue;
+      if (!stopped(face, a, tangent_radius(diagrams.site(i, in_word), a))) found_[face].push_back(c);
     }
   }
 }
 
-CellBranching BranchingCell::Sampler::run() {
-  CellBranching result;
+/// A component lacks samples if a point that could be one is over a flat triangle.
+void BranchingCell::Sampler::find_lacking() {
+  lacking_.assign(cell_.labels_.size(), 0);
+  for (std::size_t f = 0; f < found_.size(); ++f)
+    for (const Candidate& c : found_[f])
+      if (!cell_.faces_[f].covers(c.triangle) && !cell_.faces_[f].covered_behind(c.triangle)) lacking_[c.labels[0]] = 1;
+}
+
+/// Whether a sample may mend what the vertices alone leave undone: one of the components is bare, or its own is flat somewhere
+/// along the diagram.
+bool BranchingCell::Sampler::is_of_use(const Candidate& c) const {
+  return c.always || lacking_[c.labels[0]] != 0 ||
+         std::any_of(c.labels.begin(), c.labels.end(), [&](std::uint32_t l) { return cell_.bare_[l] != 0; });
+}
+
+void BranchingCell::Sampler::take(std::size_t face, FaceBranching& out) const {
+  FaceState state{face, OpenFace(cell_.graph_, cell_.arrangement_, out.face),
+                  cell_.locators_[cell_.arrangement_.plane_of(out.face).value], {}, out.samples};
+  for (const Candidate& c : found_[face])
+    if (is_of_use(c)) keep(c, state);
+}
+
+/// The arcs that samples are looked for on, by face.
+void BranchingCell::Sampler::collect_arcs() {
+  arcs_.resize(frames_.size());
+  found_.resize(frames_.size());
   for (word_ = 0; word_ < vertices_.words; ++word_) {
     const CellSites sites{vertices_.points, &mesh_, frames_, vertices_.face_masks, vertices_.words};
     CellDiagrams diagrams(sites, word_);
     const std::size_t first = 64 * std::size_t{word_}, count = std::min<std::size_t>(64, frames_.size() - first);
-    std::vector<std::vector<FaceArc>> arcs(count);
-    diagrams.arcs([&](std::uint32_t a, std::uint32_t b) { return wanted(a, b); }, arcs);
-    for (std::size_t f = first; f < first + count; ++f) {
-      if (arcs[f - first].empty()) continue;
-      FaceBranching face;
-      face.face = cell_.ids_[f];
-      face.side = cell_.arrangement_.cells_of(face.face)[1] == cell_.cell_ ? 1 : 0;
-      face.frame = frames_[f];
-      face.arcs = std::move(arcs[f - first]);
-      sample_face(f, diagrams, face);
-      result.faces.push_back(std::move(face));
-    }
+    const auto arcs_of = [&](auto&& wanted_faces, std::vector<std::vector<FaceArc>>& arcs) {
+      diagrams.arcs(wanted_faces, std::span(arcs).subspan(first, count));
+    };
+    if (cell_.options_.mode != Branching::off)
+      arcs_of([&](std::uint32_t a, std::uint32_t b) { return wanted(a, b); }, arcs_);
+    for (std::size_t f = first; f < first + count; ++f) add_candidates(f, arcs_[f], diagrams, false);
+  }
+}
+
+CellBranching BranchingCell::Sampler::run() {
+  collect_arcs();
+  find_lacking();
+  CellBranching result;
+  for (std::size_t f = 0; f < frames_.size(); ++f) {
+    if (arcs_[f].empty()) continue;
+    FaceBranching& face = result.faces.emplace_back();
+    face.face = cell_.ids_[f];
+    face.side = cell_.faces_[f].side;
+    face.frame = frames_[f];
+    face.arcs = std::move(arcs_[f]);
+    take(f, face);
   }
   return result;
 }

@@ -33,18 +33,25 @@ class BranchingCell {
  public:
   /// `ids` and `faces` in step: the faces of the cell that are not on the box. `points` by number.
   BranchingCell(const SectionGraph& graph, const Arrangement& arrangement, std::span<const SectionLocator> locators,
-                CellId cell, std::span<const FaceId> ids, std::span<const CellFace> faces,
-                std::span<const LatticePoint> points, const BranchingOptions& options);
+                std::span<const FaceId> ids, std::span<const CellFace> faces, std::span<const LatticePoint> points,
+                const BranchingOptions& options);
 
-  /// False if no diagram of the cell can have a sample: then it needs no triangulation yet. In mode automatic a section
-  /// component must face two others, so there must be three.
+  /// False if no diagram of the cell can have a sample: there must be a section component and another one, in mode
+  /// automatic two others.
   bool may_branch() const;
+  /// In mode automatic: whether the cell, pruned without samples, leaves a section component bare, or a part of one that
+  /// is bare on its other side too. In the other modes true.
+  bool lacks_something() const;
   /// REQUIRES: `triangulation` holds the vertices of the faces and has tetrahedra.
   CellBranching run(const CellTriangulation& triangulation) const;
 
  private:
   class Sampler;
   void label_vertices();
+  void find_bare();
+  std::uint32_t label_of(const CellFace& face, std::size_t triangle) const {
+    return labels_[local(face.numbers[face.triangulation->triangles[triangle][0]])];
+  }
   /// Position of a vertex number in the cell.
   std::uint32_t local(std::uint32_t number) const {
     return static_cast<std::uint32_t>(std::lower_bound(numbers_.begin(), numbers_.end(), number) - numbers_.begin());
@@ -53,14 +60,15 @@ class BranchingCell {
   const SectionGraph& graph_;
   const Arrangement& arrangement_;
   std::span<const SectionLocator> locators_;
-  CellId cell_;
   std::span<const FaceId> ids_;
   std::span<const CellFace> faces_;
   std::span<const LatticePoint> points_;
   BranchingOptions options_;
   std::vector<std::uint32_t> numbers_;  ///< of the cell's vertices, ascending
   std::vector<std::uint32_t> labels_;   ///< in step: section component, kNone for a vertex of no internal triangle
+  std::vector<std::uint8_t> bare_;      ///< by component: no triangle of it is covered in this cell
   std::uint32_t components_ = 0;
+  bool flat_somewhere_ = false;         ///< an internal triangle is covered in neither of its cells
 };
 
 /// Sorted, without repetitions: both sides of a face may have chosen the same point.

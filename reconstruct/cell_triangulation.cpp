@@ -55,4 +55,11 @@ bool has_section(std::span<const CellFace> faces) {
   });
 }
 
+bool is_somewhere_bare(std::span<const CellFace> faces) {
+  for (const CellFace& face : faces)
+    for (std::size_t t = 0; t < face.triangulation->internal.size(); ++t)
+      if (face.triangulation->internal[t] != 0 && !face.covers(t)) return true;
+  return false;
+}
+
 }  // namespace crossloft

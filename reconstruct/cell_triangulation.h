@@ -16,6 +16,12 @@ namespace crossloft {
 struct CellFace {
   const FaceTriangulation* triangulation = nullptr;
   std::span<const std::uint32_t> numbers;
+  std::uint32_t side = 0;  ///< 0 if the cell is on the negative side of the face's plane, else 1
+
+  /// Whether a kept tetrahedron of the cell stands on an internal triangle. REQUIRES: the cell has been pruned.
+  bool covers(std::size_t triangle) const { return triangulation->covered[side][triangle] != 0; }
+  /// The same for the cell on the other side.
+  bool covered_behind(std::size_t triangle) const { return triangulation->covered[1 - side][triangle] != 0; }
 };
 
 /// The vertices of a cell: their numbers over all cells, points, and faces of the cell that they lie on.
@@ -92,5 +98,7 @@ class CellTriangulation {
 
 /// True iff some face has an internal triangle; else no tetrahedron of the cell can be kept.
 bool has_section(std::span<const CellFace> faces);
+/// True iff some internal triangle is not covered.
+bool is_somewhere_bare(std::span<const CellFace> faces);
 
 }  // namespace crossloft

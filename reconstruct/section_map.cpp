@@ -8,15 +8,23 @@ namespace {
 
 std::array<double, 2> range_of(std::initializer_list<double> values) { return {std::min(values), std::max(values)}; }
 
-/// Edges that one triangle alone has.
+/// Edges that one triangle alone has, as that triangle runs through them.
 std::vector<std::array<std::uint32_t, 2>> border_of(std::span<const std::array<std::uint32_t, 3>> triangles) {
-  std::vector<std::array<std::uint32_t, 2>> edges, border;
+  struct Edge {
+    std::array<std::uint32_t, 2> ends, directed;
+  };
+  std::vector<Edge> edges;
   for (const auto& t : triangles)
-    for (std::size_t i = 0; i < 3; ++i) edges.push_back({std::min(t[i], t[(i + 1) % 3]), std::max(t[i], t[(i + 1) % 3])});
-  std::sort(edges.begin(), edges.end());
-  for (std::size_t i = 0; i < edges.size(); ++i)
-    if ((i == 0 || edges[i - 1] != edges[i]) && (i + 1 == edges.size() || edges[i + 1] != edges[i]))
-      border.push_back(edges[i]);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::uint32_t a = t[i], b = t[(i + 1) % 3];
+      edges.push_back({{std::min(a, b), std::max(a, b)}, {a, b}});
+    }
+  std::sort(edges.begin(), edges.end(), [](const Edge& x, const Edge& y) { return x.ends < y.ends; });
+  std::vector<std::array<std::uint32_t, 2>> border;
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    const bool first = i == 0 || edges[i - 1].ends != edges[i].ends;
+    if (first && (i + 1 == edges.size() || edges[i + 1].ends != edges[i].ends)) border.push_back(edges[i].directed);
+  }
   return border;
 }
 
@@ -30,11 +38,14 @@ double squared_distance(Vec2 a, Vec2 p, Vec2 q) {
   return dot(away, away);
 }
 
-SectionMap::SectionMap(const FaceTriangulation& face, std::vector<Vec2> points) : points_(std::move(points)) {
+SectionMap::SectionMap(const FaceTriangulation& face, std::vector<Vec2> points, bool mirrored)
+    : points_(std::move(points)) {
   for (std::uint32_t t = 0; t < face.triangles.size(); ++t)
     if (face.internal[t] != 0) {
       numbers_.push_back(t);
-      triangles_.push_back(face.triangles[t]);
+      auto v = face.triangles[t];
+      if (mirrored) std::swap(v[1], v[2]);
+      triangles_.push_back(v);
     }
   if (triangles_.empty()) return;
   border_ = border_of(triangles_);
@@ -84,7 +95,7 @@ std::uint32_t SectionMap::triangle_at(Vec2 a) const {
     const auto& v = triangles_[triangle_strips_.items[k]];
     const Vec2 p = points_[v[0]], q = points_[v[1]], r = points_[v[2]];
     const double u = cross(q - p, a - p), w = cross(r - q, a - q), x = cross(p - r, a - r);
-    if ((u >= 0 && w >= 0 && x >= 0) || (u <= 0 && w <= 0 && x <= 0)) return numbers_[triangle_strips_.items[k]];
+    if (u >= 0 && w >= 0 && x >= 0) return numbers_[triangle_strips_.items[k]];
   }
   return kNone;
 }

@@ -1,0 +1,153 @@
+/// Cells of the arrangement: triangulated, pruned, and again if their faces got samples.
+
+#include "pipeline.h"
+
+#include <algorithm>
+
+#include "../prune/links.h"
+#include "../prune/verify.h"
+#include "self_check.h"
+
+namespace crossloft {
+
+std::vector<FaceId> Pipeline::inner_faces(CellId id) const {
+  std::vector<FaceId> ids;
+  for (const FaceId f : arrangement_->faces_of(id))
+    if (!arrangement_->on_box(f)) ids.push_back(f);
+  return ids;
+}
+
+std::vector<CellFace> Pipeline::cell_faces(CellId id, std::span<const FaceId> ids) const {
+  std::vector<CellFace> faces;
+  for (const FaceId f : ids)
+    faces.push_back({&faces_[f.value], numbering_.of_face[f.value], arrangement_->cells_of(f)[0] == id ? 0u : 1u});
+  return faces;
+}
+
+/// Marks the section triangles that kept tetrahedra stand on; each cell has its own side of each face.
+void Pipeline::cover(std::span<const CellFace> faces, std::span<const FaceId> ids, const BuiltCell& cell,
+                     const PruneResult& pruned) {
+  const auto covered = [&](std::size_t f) -> auto& { return faces_[ids[f].value].covered[faces[f].side]; };
+  for (std::size_t f = 0; f < faces.size(); ++f) std::fill(covered(f).begin(), covered(f).end(), 0);
+  for (std::size_t t = 0; t < pruned.kept.size(); ++t)
+    for (const GroundTriangle& ground : cell.ground[t])
+      if (pruned.kept[t] != 0 && ground.face != kNone) covered(ground.face)[ground.triangle] = 1;
+}
+
+Result<Done> Pipeline::prune_cell(CellId id, CellState& state) {
+  const std::vector<FaceId> ids = inner_faces(id);
+  const std::vector<CellFace> faces = cell_faces(id, ids);
+  state.due = false;
+  if (!has_section(faces)) return Done{};
+  if (!state.triangulation) state.triangulation = std::make_unique<CellTriangulation>(faces.size());
+  if (auto done = state.triangulation->add(faces, numbering_.points); !done) return done;
+  auto built = build_cell(faces, *state.triangulation, *line_edges_, numbering_.graph_vertex);
+  if (!built) return built.error();
+  BuiltCell& cell = *built;
+  if (cell.complex.mesh.size() == 0) return Done{};
+  Stopwatch watch;
+  PruneResult pruned = prune(cell.complex, options_.mode);
+  const auto good = self_check("pruning", [&] {
+    const bool may_fail = options_.mode == PruneMode::paper_literal;  // its Step 3 breaks solidity, as documented
+    return verify(cell.complex) && (may_fail || verify(cell.complex, pruned)) ? "" : "a cell is not solid";
+  });
+  if (!good) return good;
+  CellReport& report = state.report;
+  report.faces = static_cast<std::uint32_t>(faces.size());
+  report.vertices = cell.complex.vertex_count;
+  report.tets_r0 = pruned.r0, report.tets_r1 = pruned.r1, report.tets_r2 = pruned.r2, report.tets_r3 = pruned.r3;
+  report.bad_links = census_links(cell.complex, pruned.kept).bad_links();
+  state.pruning_seconds += watch.lap();
+  state.delaunay_seconds = cell.delaunay_seconds;
+  cover(faces, ids, cell, pruned);
+  state.tets.clear();
+  for (std::size_t t = 0; t < pruned.kept.size(); ++t)
+    if (pruned.kept[t] != 0) {
+      std::array<std::uint32_t, 4>& tet = state.tets.emplace_back();
+      for (std::size_t i = 0; i < 4; ++i) tet[i] = cell.vertices[cell.complex.mesh.vertices[t][i]];
+    }
+  if (!is_somewhere_bare(faces) || options_.branching.mode == Branching::off) state.triangulation.reset();
+  if (observer_) state.built = std::move(cell), state.pruned = std::move(pruned);
+  return Done{};
+}
+
+Result<Done> Pipeline::prune_due_cells() {
+  return for_all(cells_.size(), "cells", [&](std::size_t c) -> Result<Done> {
+    if (!cells_[c].due) return Done{};
+    return prune_cell(CellId{static_cast<std::uint32_t>(c)}, cells_[c]);
+  });
+}
+
+/// Diagrams and samples of one cell, where there can be any.
+Result<CellBranching> Pipeline::branch(CellId id, CellState& state) {
+  const std::vector<FaceId> ids = inner_faces(id);
+  const std::vector<CellFace> faces = cell_faces(id, ids);
+  const bool automatic = options_.branching.mode == Branching::automatic;
+  if (!has_section(faces) || (automatic && !observer_ && !is_somewhere_bare(faces))) return CellBranching{};
+  const BranchingCell cell(graph_, *arrangement_, locators_, ids, faces, numbering_.points, options_.branching);
+  if (!cell.may_branch() || !(cell.lacks_something() || observer_)) return CellBranching{};
+  if (!state.triangulation) state.triangulation = std::make_unique<CellTriangulation>(faces.size());
+  if (auto done = state.triangulation->add(faces, numbering_.points); !done) return done.error();
+  if (state.triangulation->dimension() < 3) return CellBranching{};
+  return cell.run(*state.triangulation);
+}
+
+Result<Done> Pipeline::add_samples() {
+  std::vector<CellBranching> found(cells_.size());
+  const auto good = for_all(cells_.size(), "branching", [&](std::size_t c) -> Result<Done> {
+    auto branching = branch(CellId{static_cast<std::uint32_t>(c)}, cells_[c]);
+    if (!branching) return branching.error();
+    found[c] = std::move(branching).value();
+    return Done{};
+  });
+  if (!good) return good;
+  std::vector<std::vector<LatticePoint>> samples(faces_.size());
+  for (const CellBranching& cell : found) {
+    result_.report.seconds.branching += cell.seconds;
+    for (const FaceBranching& face : cell.faces) {
+      result_.report.branching_arcs += static_cast<std::uint32_t>(face.arcs.size());
+      auto& all = samples[face.face.value];
+      all.insert(all.end(), face.samples.begin(), face.samples.end());
+      if (observer_) observer_->on_branching(face, faces_[face.face.value], numbering_);
+    }
+  }
+  for (std::uint32_t f = 0; f < samples.size(); ++f)
+    if (!samples[f].empty())
+      for (const CellId c : arrangement_->cells_of(FaceId{f})) cells_[c.value].due = true;
+  for (CellState& cell : cells_)
+    if (!cell.due) cell.triangulation.reset();
+  return refine_faces(samples);
+}
+
+/// Without samples first: automatic branching looks at what that leaves bare.
+Result<Done> Pipeline::fill_cells() {
+  cells_.resize(arrangement_->cell_count());
+  const Branching mode = options_.branching.mode;
+  if (mode != Branching::all)
+    if (auto done = prune_due_cells(); !done) return done;
+  if (mode != Branching::off || options_.branching.cutting) {
+    if (auto done = add_samples(); !done) return done;
+    if (auto done = prune_due_cells(); !done) return done;
+  }
+  finish_faces();
+  finish_cells();
+  return Done{};
+}
+
+void Pipeline::finish_cells() {
+  Report& report = result_.report;
+  for (std::uint32_t c = 0; c < cells_.size(); ++c) {
+    CellState& cell = cells_[c];
+    if (cell.report.tets_r0 == 0) continue;
+    report.cells.push_back(cell.report);
+    report.bad_links += cell.report.bad_links;
+    report.seconds.delaunay += cell.delaunay_seconds;
+    report.seconds.pruning += cell.pruning_seconds;
+    tets_.insert(tets_.end(), cell.tets.begin(), cell.tets.end());
+    if (observer_) observer_->on_cell(CellId{c}, cell.built, cell.pruned);
+  }
+  cells_.clear();
+  watch_.lap();
+}
+
+}  // namespace crossloft

@@ -1,0 +1,77 @@
+/// Faces of the arrangement: triangulated, and again if samples come.
+
+#include "pipeline.h"
+
+#include "assemble.h"
+
+namespace crossloft {
+
+Result<Done> Pipeline::triangulate_faces() {
+  inputs_ = face_inputs(graph_, *arrangement_);
+  wall_ends_.resize(graph_.planes.size());
+  for (std::uint32_t p = 0; p < graph_.planes.size(); ++p) locators_.push_back(graph_.locator(p, wall_ends_[p]));
+  faces_.resize(inputs_.size());
+  const auto good = for_all(inputs_.size(), "faces", [&](std::size_t f) -> Result<Done> {
+    const FaceId id{static_cast<std::uint32_t>(f)};
+    if (arrangement_->on_box(id)) return Done{};
+    auto face = triangulate_face(graph_, *arrangement_, locators_[arrangement_->plane_of(id).value], inputs_[f]);
+    if (!face) return face.error();
+    faces_[f] = std::move(face).value();
+    return Done{};
+  });
+  if (!good) return good;
+  numbering_ = number_vertices(graph_, faces_);
+  classify_lines();
+  result_.report.seconds.faces = watch_.lap();
+  return Done{};
+}
+
+Result<Done> Pipeline::refine_faces(std::span<const std::vector<LatticePoint>> samples) {
+  const auto good = for_all(faces_.size(), "faces", [&](std::size_t f) -> Result<Done> {
+    if (samples[f].empty()) return Done{};
+    const auto& locator = locators_[faces_[f].plane];
+    auto face = refine_face(graph_, *arrangement_, locator, inputs_[f], faces_[f], distinct_samples(samples[f]));
+    if (!face) return face.error();
+    faces_[f] = std::move(face).value();
+    return Done{};
+  });
+  if (!good) return good;
+  const Numbering before = std::move(numbering_);
+  numbering_ = number_vertices(graph_, faces_);
+  const std::vector<std::uint32_t> number = renumbering(before, numbering_);
+  for (CellState& cell : cells_) {
+    if (cell.triangulation) cell.triangulation->renumber(number);
+    for (std::uint32_t& v : cell.built.vertices) v = number[v];
+    for (auto& tet : cell.tets)
+      for (std::uint32_t& v : tet) v = number[v];
+  }
+  classify_lines();
+  return Done{};
+}
+
+/// Edges on lines get their kinds.
+void Pipeline::classify_lines() {
+  line_edges_ = std::make_unique<LineEdges>(graph_);
+  for (const FaceTriangulation& face : faces_) line_edges_->add(face);
+  line_edges_->finish();
+  for (FaceTriangulation& face : faces_)
+    for (FaceEdge& e : face.edges)
+      if (e.b < face.vertices.size() && line_edges_->on_line(face.vertices[e.a], face.vertices[e.b]))
+        e.kind = line_edges_->kind(face.vertices[e.a], face.vertices[e.b]);
+}
+
+/// Faces are final, and the sections are what they say.
+void Pipeline::finish_faces() {
+  for (const FaceTriangulation& face : faces_) {
+    result_.report.edge_splits += static_cast<std::uint32_t>(face.added.size()) - face.samples;
+    result_.report.branching_samples += face.samples;
+    result_.report.branching_faces += face.samples != 0;
+  }
+  if (observer_)
+    for (const FaceTriangulation& face : faces_)
+      if (face.face.valid()) observer_->on_face(face, numbering_);
+  result_.sections = assemble_sections(framed_, graph_, *arrangement_, faces_, numbering_);
+  result_.report.seconds.faces += watch_.lap();
+}
+
+}  // namespace crossloft

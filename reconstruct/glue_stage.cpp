@@ -1,0 +1,57 @@
+/// The kept tetrahedra of all cells become one solid and its surface.
+
+#include "pipeline.h"
+
+#include "assemble.h"
+#include "flats.h"
+#include "self_check.h"
+
+namespace crossloft {
+
+Result<Done> Pipeline::glue_cells() {
+  result_.solid = assemble_solid(tets_, numbering_, framed_.grid);
+  auto glued = glue(tets_);
+  if (!glued) return glued.error();
+  const auto good = self_check("gluing", [&] {
+    const auto count = static_cast<std::uint32_t>(glued->vertices.size());
+    return verify_surface(count, glued->triangles) ? "" : "the surface is not a manifold";
+  });
+  if (!good) return good.error();
+  result_.surface = assemble_surface(*glued, numbering_, framed_.grid);
+  if (observer_) observer_->on_solid(tets_, numbering_);
+  Report& report = result_.report;
+  report.pinched_vertices = glued->pinched_vertices;
+  report.pinched_edges = glued->pinched_edges;
+  report.split_edges = glued->split_edges;
+  report.vertex_copies = glued->copies;
+  report.solid_tets = static_cast<std::uint32_t>(result_.solid.tets.size());
+  report.surface_triangles = static_cast<std::uint32_t>(result_.surface.triangles.size());
+  report.surface_vertices = static_cast<std::uint32_t>(result_.surface.points.size());
+  report.volume = enclosed_volume(result_.surface);
+  report_planes();
+  report.seconds.gluing = watch_.lap();
+  return Done{};
+}
+
+/// Section and flat area, plane by plane.
+void Pipeline::report_planes() {
+  Report& report = result_.report;
+  const Flats flats = measure_flats(faces_, numbering_, framed_.grid, graph_.planes.size());
+  report.flat_regions = flats.regions;
+  for (std::size_t p = 0; p < flats.planes.size(); ++p) {
+    const FramedPlane& plane = framed_.planes[p];
+    PlaneReport out;
+    out.plane = plane.sources[0];
+    out.vertices = static_cast<std::uint32_t>(result_.sections.planes[p].vertices.size());
+    out.edges = static_cast<std::uint32_t>(result_.sections.planes[p].edges.size());
+    out.area = flats.planes[p].section;
+    out.flat_area = flats.planes[p].flat;
+    out.displacement = plane.displacement;
+    out.off_plane = plane.off_plane;
+    report.section_area += out.area;
+    report.flat_area += out.flat_area;
+    report.planes.push_back(out);
+  }
+}
+
+}  // namespace crossloft

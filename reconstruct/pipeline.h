@@ -1,0 +1,127 @@
+#pragma once
+/// The main job as a sequence of stages over shared data; internal to reconstruct/.
+
+#include <array>
+#include <chrono>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "../arrangement/data_box.h"
+#include "branching.h"
+#include "cell_builder.h"
+#include "numbering.h"
+#include "observer.h"
+#include "parallel.h"
+#include "reconstruct.h"
+
+namespace crossloft {
+
+class Stopwatch {
+ public:
+  /// Seconds since the last call.
+  double lap() {
+    const auto now = std::chrono::steady_clock::now();
+    const double seconds = std::chrono::duration<double>(now - last_).count();
+    last_ = now;
+    return seconds;
+  }
+
+ private:
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+/// A cell while it is worked on, and what it leaves behind.
+struct CellState {
+  std::unique_ptr<CellTriangulation> triangulation;  ///< kept only while samples may come
+  std::vector<std::array<std::uint32_t, 4>> tets;    ///< kept ones, by final vertex numbers
+  CellReport report;
+  double delaunay_seconds = 0, pruning_seconds = 0;
+  Error error;
+  BuiltCell built;       ///< only for an observer
+  PruneResult pruned;
+  bool due = true;       ///< to be pruned: not yet done, or its faces have changed
+};
+
+/// run() goes through the stages in the order they are declared.
+class Pipeline {
+ public:
+  Pipeline(const Sections& sections, const Options& options, const Context& context, Observer* observer)
+      : sections_(sections), options_(options), context_(context), observer_(observer) {}
+  Result<Reconstruction> run();
+
+ private:
+  // reconstruct.cpp
+  Result<Done> frame();
+  Result<Done> arrange();
+  // face_stage.cpp
+  Result<Done> triangulate_faces();
+  // cell_stage.cpp
+  Result<Done> fill_cells();
+  // glue_stage.cpp
+  Result<Done> glue_cells();
+
+  Result<Done> check_input() const;
+  void report_crossings();
+  void explain_empty();
+
+  /// Faces with samples are triangulated anew; vertices get new numbers in the same order.
+  Result<Done> refine_faces(std::span<const std::vector<LatticePoint>> samples);
+  void classify_lines();
+  void finish_faces();
+
+  std::vector<FaceId> inner_faces(CellId id) const;
+  std::vector<CellFace> cell_faces(CellId id, std::span<const FaceId> ids) const;
+  Result<Done> prune_due_cells();
+  Result<Done> prune_cell(CellId id, CellState& state);
+  void cover(std::span<const CellFace> faces, std::span<const FaceId> ids, const BuiltCell& cell, const PruneResult& pruned);
+  Result<Done> add_samples();
+  Result<CellBranching> branch(CellId id, CellState& state);
+  void finish_cells();
+
+  void report_planes();
+
+  Error cancelled() const { return make_error(ErrorCode::cancelled, "cancelled"); }
+  void warn(std::string text) {
+    context_.warn(text);
+    result_.report.warnings.push_back(std::move(text));
+  }
+  /// Calls work(i) for all i < count in parallel; the first error by number, or that the user cancelled.
+  template <class Work>
+  Result<Done> for_all(std::size_t count, std::string_view stage, Work&& work);
+
+  const Sections& sections_;
+  const Options& options_;
+  const Context& context_;
+  Observer* observer_;
+  Stopwatch watch_;
+  LatticePointStore store_;
+  FramedSections framed_;
+  std::unique_ptr<Arrangement> arrangement_;
+  SectionGraph graph_;
+  std::vector<FaceInput> inputs_;  ///< by face of the arrangement, like faces_
+  std::vector<FaceTriangulation> faces_;
+  std::vector<std::vector<WallEnds>> wall_ends_;  ///< what locators_ look at
+  std::vector<SectionLocator> locators_;          ///< by plane
+  std::unique_ptr<LineEdges> line_edges_;
+  Numbering numbering_;
+  std::vector<CellState> cells_;  ///< by cell of the arrangement
+  std::vector<std::array<std::uint32_t, 4>> tets_;
+  Reconstruction result_;
+};
+
+template <class Work>
+Result<Done> Pipeline::for_all(std::size_t count, std::string_view stage, Work&& work) {
+  std::vector<Error> errors(count);
+  const bool complete = parallel_for(count, context_, stage, [&](std::size_t i) {
+    if (auto done = work(i); !done) errors[i] = done.error();
+  });
+  if (!complete) return cancelled();
+  for (const Error& error : errors)
+    if (!error.message.empty()) return error;
+  return Done{};
+}
+
+}  // namespace crossloft
