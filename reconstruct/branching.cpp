@@ -68,6 +68,7 @@ class BranchingCell::Sampler {
   TetMesh mesh_;
   std::vector<FaceFrame> frames_;
   std::vector<SectionMap> maps_;
+  std::vector<Box2> regions_;
   std::vector<double> spacing_;              ///< by vertex
   std::vector<std::array<std::uint32_t, 2>> neighbours_;  ///< pairs of vertices joined by a section's border, sorted
   std::vector<std::uint64_t> with_section_;  ///< bits of faces, by word
@@ -155,6 +156,7 @@ BranchingCell::Sampler::Sampler(const BranchingCell& cell, const CellTriangulati
     const FaceId id = cell.ids_[f];
     frames_.emplace_back(cell.graph_.planes[cell.arrangement_.plane_of(id).value], cell.faces_[f].side == 1 ? 1 : -1);
     maps_.push_back(section_map(cell.faces_[f], frames_[f], cell.points_));
+    regions_.push_back(maps_[f].box());
     if (!maps_[f].empty()) with_section_[f / 64] |= std::uint64_t{1} << (f % 64);
   }
   std::vector<double> length(vertices_.size(), 0);
@@ -262,14 +264,14 @@ void BranchingCell::Sampler::collect_arcs() {
   arcs_.resize(frames_.size());
   found_.resize(frames_.size());
   for (word_ = 0; word_ < vertices_.words; ++word_) {
-    const CellSites sites{vertices_.points, &mesh_, frames_, vertices_.face_masks, vertices_.words};
+    const CellSites sites{vertices_.points, &mesh_, frames_, vertices_.face_masks, vertices_.words, regions_};
     CellDiagrams diagrams(sites, word_);
     const std::size_t first = 64 * std::size_t{word_}, count = std::min<std::size_t>(64, frames_.size() - first);
     const auto arcs_of = [&](auto&& wanted_faces, std::vector<std::vector<FaceArc>>& arcs) {
       diagrams.arcs(wanted_faces, std::span(arcs).subspan(first, count));
     };
     if (cell_.options_.mode != Branching::off)
-      arcs_of([&](std::uint32_t a, std::uint32_t b) { return wanted(a, b); }, arcs_);
+      arcs_of([&](const TetEdge& edge) { return wanted(edge.i, edge.j); }, arcs_);
     for (std::size_t f = first; f < first + count; ++f) add_candidates(f, arcs_[f], diagrams, false);
   }
 }

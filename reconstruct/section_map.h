@@ -31,7 +31,7 @@ class SectionMap {
   }
   /// Plane coordinates of a local vertex of the face.
   Vec2 point(std::uint32_t v) const { return points_[v]; }
-  /// Around the section.
+  /// Around the section; low > high if that is empty.
   Box2 box() const { return box_; }
 
  private:
@@ -47,7 +47,7 @@ class SectionMap {
   std::vector<std::uint32_t> numbers_;                   ///< of the internal triangles in the face
   std::vector<std::array<std::uint32_t, 3>> triangles_;  ///< the internal ones, counter-clockwise
   std::vector<std::array<std::uint32_t, 2>> border_;     ///< the section on the left of a -> b
-  Box2 box_;
+  Box2 box_{{1, 1}, {0, 0}};
   double per_height_ = 0;
   std::uint32_t strip_count_ = 1;
   Strips triangle_strips_, border_strips_;
