@@ -56,9 +56,13 @@ struct MoebiusDiagram {
 MoebiusCurve moebius_curve(const MoebiusSite& i, const MoebiusSite& j);
 
 /// The diagram of the sites. Which cells meet, and where along them, is decided exactly for all finite
-/// doubles whose products do not leave the range of a double; ends of arcs are rounded. Errors: usage for a
-/// site that is not finite. Expected O(n log n) plus the tetrahedra of the regular triangulation of the
-/// lifted sites, at worst O(n^2).
+/// doubles; curves and vertices are rounded, and are lost where (lambda distance)^4 leaves the range of a
+/// double. Errors: usage for a site that is not finite. Expected O(n log n) plus the tetrahedra of the
+/// regular triangulation of the lifted sites, at worst O(n^2).
+///
+/// Where more than three cells meet, where a cell is a point or arcs only touch, it is the diagram after an
+/// infinitely small change of the mus: sound, and a function of the set of sites alone. Of sites with the
+/// same distance everywhere only the first one has a cell.
 Result<MoebiusDiagram> moebius_diagram(std::span<const MoebiusSite> sites);
 
 /// Empty if sound, else the first broken invariant: three arcs at a vertex, of three sites, and one border of

@@ -21,6 +21,11 @@ FacetSide gap(bool starts_inside, bool ends_inside, bool lambdas_least) {
   return {passage_between(starts_inside, ends_inside, lambdas_least), kNone, false};
 }
 
+bool begins_inside(const FacetSide& s) {
+  return s.passage == Passage::inside || s.passage == Passage::leaves;
+}
+bool ends_inside(const FacetSide& s) { return s.passage == Passage::inside || s.passage == Passage::enters; }
+
 using Triangle = std::array<std::uint32_t, 3>;
 
 template <std::size_t N>
@@ -115,10 +120,10 @@ class SpatialFacets {
                   bool inward) {
     for (std::uint32_t at = t;;) {
       const std::uint32_t next = mesh_.neighbours[at][out];
+      if (next < t) return Turn::met_earlier;
       sides_.push_back(builder_.side(edges_[at][out], (next < at) != inward));
       if (next == t) return Turn::closed;
       if (next == kNone) return Turn::at_infinity;
-      if (next < t) return Turn::met_earlier;
       const auto& v = mesh_.vertices[next];
       out = slot_of(v, mesh_.vertices[at][keep]);
       keep = 6 - out - slot_of(v, a) - slot_of(v, b);
@@ -126,40 +131,28 @@ class SpatialFacets {
     }
   }
 
-  static bool begins_inside(const FacetSide& s) {
-    return s.passage == Passage::inside || s.passage == Passage::leaves;
-  }
-  static bool ends_inside(const FacetSide& s) {
-    return s.passage == Passage::inside || s.passage == Passage::enters;
-  }
-
   const SitePredicates& sites_;
   const TetMesh& mesh_;
   DiagramBuilder& builder_;
   double least_lambda_;
-  std::vector<bool> inside_;  ///< power vertices
-  std::vector<std::array<std::uint32_t, 4>>
-      edges_;                     ///< builder's numbers of the triangles of each tetrahedron
-  std::vector<FacetSide> sides_;  ///< of the facet at hand
+  std::vector<bool> inside_;                         ///< the power vertex of each tetrahedron
+  std::vector<std::array<std::uint32_t, 4>> edges_;  ///< the builder's numbers of its triangles
+  std::vector<FacetSide> sides_;                     ///< of the facet at hand
 };
 
-/// Two lines and the gaps between their ends, or one line and the half turn at infinity between its ends.
+/// Two lines with the gaps between their ends, or one line with the half turn at infinity between its ends.
 /// `lines` are numbers of the triangles left and right of the edge from i to j, kNone beyond the hull.
-void add_strip(std::uint32_t i, std::uint32_t j, std::array<std::uint32_t, 2> lines, bool least,
+void add_strip(std::uint32_t i, std::uint32_t j, std::array<std::uint32_t, 2> lines, bool lambdas_least,
                DiagramBuilder& builder) {
-  std::vector<FacetSide> sides;
-  for (const bool right : {false, true})  // on the left r x s is that of the edge walked from j to i
-    if (lines[right] != kNone) sides.push_back(builder.side(lines[right], !right));
-  const auto ends_inside = [](Passage p) { return p == Passage::inside || p == Passage::enters; };
-  const auto after = [&](std::size_t k) {
-    const Passage next = sides[(k + 1) % sides.size()].passage;
-    return gap(ends_inside(sides[k].passage), ends_inside(reversed(next)), least && sides.size() == 1);
-  };
-  if (sides.size() == 1)
-    sides = {sides[0], after(0)};
-  else
-    sides = {sides[0], after(0), sides[1], after(1)};
-  builder.add_facet(i, j, sides);
+  std::array<FacetSide, 4> sides;
+  std::size_t count = 0;
+  for (const bool right : {false, true})  // the edge of the triangle on the left turns from j to i
+    if (lines[right] != kNone) sides[2 * count++] = builder.side(lines[right], !right);
+  for (std::size_t k = 0; k < count; ++k) {
+    const FacetSide &before = sides[2 * k], &after = sides[2 * ((k + 1) % count)];
+    sides[2 * k + 1] = gap(ends_inside(before), begins_inside(after), lambdas_least && count == 1);
+  }
+  builder.add_facet(i, j, std::span(sides).first(2 * count));
 }
 
 }  // namespace
