@@ -120,6 +120,16 @@ bool sort_by_position(const SitePredicates& sites, std::array<std::uint32_t, 3>&
 
 }  // namespace
 
+SitePredicates::SitePredicates(std::span<const MoebiusSite> sites) : sites_(sites) {
+  double sum = 0;
+  for (const MoebiusSite& s : sites) {
+    sum += std::abs(s.lambda);
+    const Vec2 half = 0.5 * s.p - 0.5 * sites[0].p;  // halves do not overflow
+    extent_ = std::max(extent_, std::max(std::abs(half.x), std::abs(half.y)));
+  }
+  if (sum > 0) usual_lambda_ = sum / static_cast<double>(sites.size());
+}
+
 /// `polynomial(row)` with row(m, base) in the ring of the first stage that is certain.
 template <class Polynomial>
 int SitePredicates::sign_of(const Polynomial& polynomial) const {

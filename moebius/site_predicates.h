@@ -3,6 +3,7 @@
 /// the power diagram, lies against the paraboloid.
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <span>
 
@@ -21,7 +22,7 @@ namespace crossloft {
 /// the triangulation. So decisions agree with each other whatever the ties.
 class SitePredicates {
  public:
-  explicit SitePredicates(std::span<const MoebiusSite> sites) : sites_(sites) {}
+  explicit SitePredicates(std::span<const MoebiusSite> sites);
 
   const MoebiusSite& site(std::uint32_t i) const { return sites_[i]; }
 
@@ -31,9 +32,12 @@ class SitePredicates {
 
   // PowerPredicates3.
   std::uint32_t size() const { return static_cast<std::uint32_t>(sites_.size()); }
+  /// In place of the position (it only orders) the place, and a bounded measure of lambda: positions of large
+  /// lambda lie so far out that a curve through all of them would not find neighbours among the others.
   double coordinate(std::uint32_t i, int axis) const {
     const MoebiusSite& s = sites_[i];
-    return axis == 0 ? -s.lambda : s.lambda * (axis == 1 ? s.p.x : s.p.y);
+    if (axis == 0) return extent_ * (s.lambda / (usual_lambda_ + std::abs(s.lambda)));
+    return s.lambda == 0 ? 0 : axis == 1 ? s.p.x : s.p.y;
   }
   int orient3d(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) const;
   int power_test(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d, std::uint32_t e) const;
@@ -67,6 +71,8 @@ class SitePredicates {
   int sign_of(const Polynomial& polynomial) const;
 
   std::span<const MoebiusSite> sites_;
+  double usual_lambda_ = 1;  ///< mean absolute one
+  double extent_ = 0;        ///< of the places, halved
 };
 
 static_assert(PowerPredicates3<SitePredicates>);
