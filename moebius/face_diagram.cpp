@@ -53,6 +53,8 @@ std::array<std::uint32_t, 4> ascending(std::array<std::uint32_t, 4> v) {
   return v;
 }
 
+bool is_empty(const Box2& box) { return box.low.x > box.high.x || box.low.y > box.high.y; }
+
 struct NumberedPoint {
   std::uint32_t vertex;
   HighPoint point;
@@ -84,38 +86,39 @@ CellDiagrams::CellDiagrams(const CellSites& sites, std::uint32_t word) : sites_(
   const std::size_t faces = sites.faces.size() - std::min(sites.faces.size(), 64 * std::size_t{word});
   face_count_ = static_cast<std::uint32_t>(std::min<std::size_t>(faces, 64));
   all_ = face_count_ == 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << face_count_) - 1;
-  measure_heights();
-  for (std::uint32_t f = 0; f < face_count_; ++f) ups_.push_back(frame(f).up());
-  for (std::uint32_t v = 0; v < sites.points.size(); ++v) near_.push_back(all_ & ~on(v));
-  if (!sites.regions.empty())
-    for (std::uint32_t f = 0; f < face_count_; ++f) find_near(f);
+  wanted_ = all_;
+  for (std::uint32_t f = 0; f < face_count_ && !sites.regions.empty(); ++f)
+    if (is_empty(region(f))) wanted_ ^= std::uint64_t{1} << f;
+  heights_.resize(sites.points.size() * face_count_);
+  for_each(wanted_, [&](std::uint32_t f) { measure_heights(f); });
+  for (std::uint32_t v = 0; v < sites.points.size(); ++v) near_.push_back(wanted_ & ~on(v));
+  if (!sites.regions.empty()) {
+    disks_.resize(face_count_);
+    for_each(wanted_, [&](std::uint32_t f) { find_near(f); });
+  }
   inside_.resize(sites.mesh->size());
   state_.resize(sites.mesh->size());
 }
 
 /// All points of a parallel face get the same height, whatever their kind rounds to: their arcs are lines
 /// then.
-void CellDiagrams::measure_heights() {
-  heights_.assign(sites_.points.size() * face_count_, 0);
-  for (std::uint32_t f = 0; f < face_count_; ++f) {
-    std::uint64_t parallel = 0;
-    double parallel_height = 0;
-    for (std::uint32_t g = 0; g < face_count_; ++g)
-      if (g != f && line_axis(frame(f).plane(), frame(g).plane()) < 0) {
-        parallel |= std::uint64_t{1} << g;
-        parallel_height = frame(f).height(make_point(frame(g).plane().origin));
-      }
-    for (std::uint32_t v = 0; v < sites_.points.size(); ++v)
-      if ((on(v) >> f & 1) == 0)
-        heights_[std::size_t{v} * face_count_ + f] =
-            (on(v) & parallel) != 0 ? parallel_height : frame(f).height(sites_.points[v]);
-  }
+void CellDiagrams::measure_heights(std::uint32_t face) {
+  std::uint64_t parallel = 0;
+  double parallel_height = 0;
+  for (std::uint32_t g = 0; g < face_count_; ++g)
+    if (g != face && line_axis(frame(face).plane(), frame(g).plane()) < 0) {
+      parallel |= std::uint64_t{1} << g;
+      parallel_height = frame(face).height(make_point(frame(g).plane().origin));
+    }
+  for (std::uint32_t v = 0; v < sites_.points.size(); ++v)
+    if ((on(v) >> face & 1) == 0)
+      heights_[std::size_t{v} * face_count_ + face] =
+          (on(v) & parallel) != 0 ? parallel_height : frame(face).height(sites_.points[v]);
 }
 
 /// Nearest nowhere in the region is a site that another one undercuts in each of its parts.
 void CellDiagrams::find_near(std::uint32_t face) {
-  const Box2& region = sites_.regions[64 * std::size_t{word_} + face];
-  disks_.push_back(disk_around(frame(face), region));
+  disks_[face] = disk_around(frame(face), region(face));
   const std::uint64_t bit = std::uint64_t{1} << face;
   std::vector<NumberedPoint> sites;
   for (std::uint32_t v = 0; v < near_.size(); ++v)
@@ -123,9 +126,8 @@ void CellDiagrams::find_near(std::uint32_t face) {
       near_[v] ^= bit;
       sites.push_back({v, {point(v), height(v, face)}});
     }
-  if (region.low.x > region.high.x || region.low.y > region.high.y) return;
-  drop_undercut(disks_.back(), sites);
-  for (const Disk& disk : disks_over(frame(face), region)) {
+  drop_undercut(disks_[face], sites);
+  for (const Disk& disk : disks_over(frame(face), region(face))) {
     std::vector<NumberedPoint> left = sites;
     drop_undercut(disk, left);
     for (const NumberedPoint& site : left) near_[site.vertex] |= bit;
@@ -144,16 +146,17 @@ std::uint64_t CellDiagrams::inside(std::uint32_t tet) {
 /// a vertex on the face reaches its plane: outside.
 std::uint64_t CellDiagrams::inside_of(std::uint32_t tet) const {
   const auto& given = sites_.mesh->vertices[tet];
-  const std::uint64_t faces = all_ & ~(on(given[0]) | on(given[1]) | on(given[2]) | on(given[3]));
+  const std::uint64_t faces = wanted_ & ~(on(given[0]) | on(given[1]) | on(given[2]) | on(given[3]));
   if (faces == 0) return 0;
   const auto v = ascending(given);
   const SphereCentre centre = sphere_centre(point(v[0]), point(v[1]), point(v[2]), point(v[3]));
   const double distance = norm(centre.offset);
-  const double* heights = &heights_[std::size_t{v[0]} * face_count_];
   std::uint64_t inside = 0;
-  for (std::uint32_t f = 0; f < face_count_; ++f)
-    inside |= std::uint64_t{centre.denominator * heights[f] + dot(ups_[f], centre.offset) > distance} << f;
-  return inside & faces;
+  for_each(faces, [&](std::uint32_t f) {
+    const double rise = centre.denominator * height(v[0], f) + dot(frame(f).up(), centre.offset);
+    inside |= std::uint64_t{rise > distance} << f;
+  });
+  return inside;
 }
 
 /// All of the faces within reach, or none if there is no arc to be found from here: if the facet's corner is

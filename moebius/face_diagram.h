@@ -51,8 +51,8 @@ struct CellSites {
   std::span<const LatticePoint> points;
   const TetMesh* mesh = nullptr;  ///< the Delaunay triangulation of the points
   std::span<const FaceFrame> faces;
-  std::span<const std::uint64_t>
-      on_faces;  ///< `words` per point; bit f of them iff the point is on the plane of face f
+  /// `words` per point; bit f of them iff the point is on the plane of face f.
+  std::span<const std::uint64_t> on_faces;
   std::uint32_t words = 1;
   /// Per face, in its frame: arcs that miss the box may be left out, for speed; nothing is wanted of a face
   /// whose box has low > high. If there are none, all arcs are wanted.
@@ -85,7 +85,7 @@ class CellDiagrams {
   std::uint64_t on(std::uint32_t vertex) const {
     return sites_.on_faces[std::size_t{vertex} * sites_.words + word_] & all_;
   }
-  /// REQUIRES: the vertex is not on the face.
+  /// REQUIRES: the vertex is not on the face, and something is wanted of the face.
   FaceSite site(std::uint32_t vertex, std::uint32_t face) const {
     return {frame(face).to_plane(sites_.points[vertex]), height(vertex, face)};
   }
@@ -100,12 +100,13 @@ class CellDiagrams {
   static constexpr std::uint8_t kKnown = 1 << 6;
 
   const FaceFrame& frame(std::uint32_t face) const { return sites_.faces[64 * std::size_t{word_} + face]; }
+  const Box2& region(std::uint32_t face) const { return sites_.regions[64 * std::size_t{word_} + face]; }
   Vec3 point(std::uint32_t v) const { return to_vec3(sites_.points[v]); }
   double height(std::uint32_t v, std::uint32_t face) const {
     return heights_[std::size_t{v} * face_count_ + face];
   }
 
-  void measure_heights();
+  void measure_heights(std::uint32_t face);
   void find_near(std::uint32_t face);
   std::uint64_t inside(std::uint32_t tet);
   std::uint64_t inside_of(std::uint32_t tet) const;
@@ -125,14 +126,14 @@ class CellDiagrams {
 
   CellSites sites_;
   std::uint32_t word_ = 0, face_count_ = 0;
-  std::uint64_t all_ = 0;
-  std::vector<Vec3> ups_;            ///< of the faces
-  std::vector<Disk> disks_;          ///< of the faces, around their regions; or none
-  std::vector<std::uint64_t> near_;  ///< per point: faces over which it may be the nearest site in the region
-  std::vector<double> heights_;      ///< face_count_ per point
-  std::vector<std::uint64_t>
-      inside_;                       ///< per tetrahedron: faces whose surface its Voronoi vertex is inside of
-  std::vector<std::uint8_t> state_;  ///< per tetrahedron: the edges that are done, kKnown
+  std::uint64_t all_ = 0, wanted_ = 0;  ///< faces of the word, those that something is wanted of
+  std::vector<Disk> disks_;             ///< of the faces, around their regions; or none
+  // Per point, its height over each face (face_count_ numbers), and the faces over which it may be nearest.
+  std::vector<double> heights_;
+  std::vector<std::uint64_t> near_;
+  // Per tetrahedron, the faces whose surface its Voronoi vertex is inside of, and its edges that are done.
+  std::vector<std::uint64_t> inside_;
+  std::vector<std::uint8_t> state_;
   // Of the facet at hand:
   VoronoiFacet facet_;
   std::vector<SideCut> cuts_;  ///< of the sides, and of the gap at infinity
