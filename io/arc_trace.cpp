@@ -1,58 +1,9 @@
 #include "arc_trace.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-
-#include "nearest_site.h"
 
 namespace crossloft {
 namespace {
-
-double length(Vec2 v) { return std::sqrt(dot(v, v)); }
-
-/// So near on a circle that rounding may have changed the order of the ends. Where circles nearly touch, ends
-/// are known to half the digits only; `scale` is the size of what is around them.
-bool ends_nearly_coincide(const MoebiusCurve& circle, Vec2 from, Vec2 to, double scale) {
-  constexpr double kTiny = 1e-6, kRounding = 1e-13;
-  return length(to - from) <= kTiny * std::min(circle.radius, scale) + kRounding * length(from);
-}
-
-bool ends_nearly_coincide(const MoebiusDiagram& diagram, const MoebiusArc& arc) {
-  const Vec2 from = diagram.vertices[arc.from], to = diagram.vertices[arc.to];
-  const double scale =
-      length(from - diagram.sites[arc.sites[0]].p) + length(from - diagram.sites[arc.sites[1]].p);
-  return ends_nearly_coincide(arc.curve, from, to, scale);
-}
-
-bool same_sites(const MoebiusArc& a, const MoebiusArc& b) {
-  return a.sites == b.sites || (a.sites[0] == b.sites[1] && a.sites[1] == b.sites[0]);
-}
-
-/// True if none is nearer to x than the site, but for rounding.
-bool is_nearest(std::span<const MoebiusSite> sites, const MoebiusSite& site, Vec2 x) {
-  constexpr double kRounding = 1e-9;
-  const auto size = [x](const MoebiusSite& s) {
-    return std::abs(s.mu) + std::abs(s.lambda) * dot(x - s.p, x - s.p);
-  };
-  const MoebiusSite& nearest = sites[nearest_site(sites, x)];
-  return distance_from(site, x) - distance_from(nearest, x) <= kRounding * (size(site) + size(nearest));
-}
-
-/// For an arc whose ends nearly coincide: it is whole if no site is nearer on the far side of the circle (at
-/// three points, since one may be a vertex), and if nothing else of the circle is an arc: of several at one
-/// point the first is taken.
-bool is_nearly_whole(const MoebiusDiagram& diagram, const MoebiusArc& arc) {
-  const bool shared = std::any_of(diagram.arcs.begin(), diagram.arcs.end(), [&](const MoebiusArc& other) {
-    return same_sites(arc, other) && (&other < &arc || !ends_nearly_coincide(diagram, other));
-  });
-  const Vec2 back = arc.curve.centre - diagram.vertices[arc.from];
-  constexpr std::array<double, 3> kSlopes = {-0.7133, 0.0129, 0.6317};
-  return !shared && std::all_of(kSlopes.begin(), kSlopes.end(), [&](double slope) {
-    const Vec2 turned = (1 / std::sqrt(1 + slope * slope)) * (back + slope * Vec2{-back.y, back.x});
-    return is_nearest(diagram.sites, diagram.sites[arc.sites[0]], arc.curve.centre + turned);
-  });
-}
 
 CurvePiece segment(Vec2 from, Vec2 to) { return {from, to, true, {}, 0, false}; }
 
@@ -101,12 +52,10 @@ std::vector<CurvePiece> straightened_if_huge(const std::vector<CurvePiece>& piec
 std::vector<CurvePiece> trace_circle(const ArcShape& arc, const ViewBox& box) {
   const auto& [is_line, centre, radius, direction] = arc.curve;
   std::vector<CurvePiece> pieces;
-  if (!arc.from || !arc.to)
-    append_circle(centre, radius, arc.ccw, pieces);
-  else if (ends_nearly_coincide(arc.curve, *arc.from, *arc.to, larger_side(box)))
-    pieces.push_back(segment(*arc.from, *arc.to));
+  if (arc.from && arc.to)
+    append_arc({*arc.from, *arc.to, false, centre, radius, arc.ccw}, arc.over_half, pieces);
   else
-    append_arc(*arc.from, *arc.to, centre, radius, arc.ccw, pieces);
+    append_circle(centre, radius, arc.ccw, pieces);
   return straightened_if_huge(pieces, box);
 }
 
@@ -117,30 +66,25 @@ std::vector<CurvePiece> trace_line(const ArcShape& arc, const ViewBox& box) {
   return {segment(from, to)};
 }
 
-/// All but a whole circle: by way of the point opposite its ends.
-std::vector<CurvePiece> trace_nearly_whole(const ArcShape& arc) {
-  const auto& [is_line, centre, radius, direction] = arc.curve;
-  const Vec2 opposite = 2 * centre - *arc.from;
-  std::vector<CurvePiece> pieces;
-  append_arc(*arc.from, opposite, centre, radius, arc.ccw, pieces);
-  append_arc(opposite, *arc.to, centre, radius, arc.ccw, pieces);
-  return pieces;
+}  // namespace
+
+ArcShape shape_of(const MoebiusDiagram& diagram, const MoebiusArc& arc) {
+  ArcShape shape{arc.curve, false, arc.over_half, {}, {}};
+  shape.ccw = diagram.sites[arc.sites[0]].lambda > diagram.sites[arc.sites[1]].lambda;
+  if (arc.from != kNone) shape.from = diagram.vertices[arc.from];
+  if (arc.to != kNone) shape.to = diagram.vertices[arc.to];
+  return shape;
 }
 
-}  // namespace
+ArcShape shape_of(const FaceArc& arc) {
+  ArcShape shape{arc.curve, !arc.clockwise, arc.over_half, {}, {}};
+  if (!arc.whole && !arc.from_infinite) shape.from = arc.from;
+  if (!arc.whole && !arc.to_infinite) shape.to = arc.to;
+  return shape;
+}
 
 std::vector<CurvePiece> trace(const ArcShape& arc, const ViewBox& box) {
   return arc.curve.is_line ? trace_line(arc, box) : trace_circle(arc, box);
-}
-
-std::vector<CurvePiece> trace(const MoebiusDiagram& diagram, const MoebiusArc& arc, const ViewBox& box) {
-  ArcShape shape{arc.curve, diagram.sites[arc.sites[0]].lambda > diagram.sites[arc.sites[1]].lambda, {}, {}};
-  if (arc.from != kNone) shape.from = diagram.vertices[arc.from];
-  if (arc.to != kNone) shape.to = diagram.vertices[arc.to];
-  const bool has_ends = shape.from && shape.to;
-  if (!arc.curve.is_line && has_ends && ends_nearly_coincide(diagram, arc) && is_nearly_whole(diagram, arc))
-    return trace_nearly_whole(shape);
-  return trace(shape, box);
 }
 
 }  // namespace crossloft

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "../moebius/diagram.h"
+#include "../moebius/face_diagram.h"
 #include "curve_piece.h"
 
 namespace crossloft {
@@ -13,16 +14,16 @@ namespace crossloft {
 /// infinity; a circle without ends is whole.
 struct ArcShape {
   MoebiusCurve curve;
-  bool ccw = false;  ///< a circle is walked counter-clockwise
+  bool ccw = false;        ///< a circle is walked counter-clockwise
+  bool over_half = false;  ///< more than half of the circle, but not the whole: rounded ends may not tell
   std::optional<Vec2> from, to;
 };
 
-/// The pieces of the arc in the direction of its walk. Ends at infinity become points outside the box, which
-/// the line does not meet beyond them. An arc whose ends nearly coincide is taken for a tiny one.
-std::vector<CurvePiece> trace(const ArcShape& arc, const ViewBox& box);
+ArcShape shape_of(const MoebiusDiagram& diagram, const MoebiusArc& arc);
+ArcShape shape_of(const FaceArc& arc);
 
-/// The same for an arc of a diagram. Whether an arc whose ends nearly coincide is tiny or all but a whole
-/// circle, which rounded ends can't tell, is looked up in the diagram: linear time for such an arc.
-std::vector<CurvePiece> trace(const MoebiusDiagram& diagram, const MoebiusArc& arc, const ViewBox& box);
+/// The pieces of the arc in the direction of its walk. Ends at infinity become points outside the box, which
+/// the line does not meet beyond them. In the box the pieces are as precise as the ends, whatever the radius.
+std::vector<CurvePiece> trace(const ArcShape& arc, const ViewBox& box);
 
 }  // namespace crossloft

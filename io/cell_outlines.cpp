@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "arc_trace.h"
-#include "nearest_site.h"
 
 namespace crossloft {
 namespace {
@@ -209,10 +208,18 @@ class OutlineChainer {
 DiagramInBox clip_diagram(const MoebiusDiagram& diagram, const ViewBox& view) {
   DiagramInBox clipped{box_around(diagram, view), {}, {}};
   for (const MoebiusArc& arc : diagram.arcs)
-    clipped.arcs.push_back(clip(trace(diagram, arc, clipped.box), clipped.box));
+    clipped.arcs.push_back(clip(trace(shape_of(diagram, arc), clipped.box), clipped.box));
   clipped.cells.resize(diagram.sites.size());
   OutlineChainer(diagram, clipped).chain();
   return clipped;
+}
+
+std::uint32_t nearest_site(const std::vector<MoebiusSite>& sites, Vec2 x) {
+  const auto distance = [x](const MoebiusSite& s) { return s.lambda * dot(x - s.p, x - s.p) - s.mu; };
+  const auto nearest =
+      std::min_element(sites.begin(), sites.end(),
+                       [&](const MoebiusSite& a, const MoebiusSite& b) { return distance(a) < distance(b); });
+  return nearest == sites.end() ? kNone : static_cast<std::uint32_t>(nearest - sites.begin());
 }
 
 std::vector<bool> sites_with_cell(const MoebiusDiagram& diagram) {

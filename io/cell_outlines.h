@@ -33,6 +33,9 @@ struct DiagramInBox {
 /// is closed by a segment. O((n + c) log n) for n arcs with c crossings of the border.
 DiagramInBox clip_diagram(const MoebiusDiagram& diagram, const ViewBox& view);
 
+/// The first of the sites that are nearest to a point, in doubles; kNone if there is no site. Linear time.
+std::uint32_t nearest_site(const std::vector<MoebiusSite>& sites, Vec2 x);
+
 /// Which sites have a cell; the others are hidden.
 std::vector<bool> sites_with_cell(const MoebiusDiagram& diagram);
 

@@ -30,28 +30,24 @@ bool contains(const ViewBox& box, Vec2 p) {
   return p.x > box.low.x && p.x < box.high.x && p.y > box.low.y && p.y < box.high.y;
 }
 
-/// The point of the circle half way along an arc of any length: at right angles to the chord, on the side
-/// that the direction says.
-Vec2 arc_middle(Vec2 from, Vec2 to, Vec2 centre, double radius, bool ccw) {
-  const Vec2 chord = to - from;
-  const double length = std::sqrt(dot(chord, chord));
-  if (!(length > 0)) return from;
-  const double scale = (ccw ? radius : -radius) / length;
-  return centre + Vec2{scale * chord.y, -scale * chord.x};
+/// The middle of an arc of more than half a turn: seen from the centre opposite to the middle of the chord,
+/// and at right angles to the chord. Ends near to each other fix the former direction well, ends far from
+/// each other the latter.
+Vec2 far_middle(const CurvePiece& arc) {
+  const Vec2 chord = arc.to - arc.from;
+  const bool is_long = dot(chord, chord) > arc.radius * arc.radius;
+  const Vec2 across = arc.ccw ? Vec2{chord.y, -chord.x} : Vec2{-chord.y, chord.x};
+  const Vec2 direction = is_long ? across : 2 * arc.centre - arc.from - arc.to;
+  return arc.centre + (arc.radius / std::sqrt(dot(direction, direction))) * direction;
 }
 
-/// At most a third of a turn. By the chord, not by the centre's direction from `to`: rounding may hide the
-/// difference of directions on large circles.
-bool is_short(Vec2 from, Vec2 to, Vec2 centre, double radius, bool ccw) {
-  const Vec2 a = from - centre, chord = to - from;
-  const double sine = ccw ? cross(a, chord) : cross(chord, a);
-  return sine >= 0 && dot(a, to - centre) >= -0.5 * radius * radius;
-}
-
-/// For a point of the circle: whether it is on the piece.
+/// For a point of the circle: whether it is on the piece, between the directions of its ends and not opposite
+/// to them.
 bool is_on_arc(const CurvePiece& piece, Vec2 point) {
   const Vec2 a = piece.from - piece.centre, b = piece.to - piece.centre, c = point - piece.centre;
-  return piece.ccw ? cross(a, c) >= 0 && cross(c, b) >= 0 : cross(a, c) <= 0 && cross(c, b) <= 0;
+  const bool between =
+      piece.ccw ? cross(a, c) >= 0 && cross(c, b) >= 0 : cross(a, c) <= 0 && cross(c, b) <= 0;
+  return between && dot(c, a + b) >= 0;
 }
 
 void cut_segment(const CurvePiece& piece, const Side& side, std::vector<Vec2>& cuts) {
@@ -126,15 +122,13 @@ ViewBox bounds_of(std::span<const CurvePiece> pieces) {
   return box;
 }
 
-void append_arc(Vec2 from, Vec2 to, Vec2 centre, double radius, bool ccw, std::vector<CurvePiece>& pieces) {
-  if (is_short(from, to, centre, radius, ccw)) {
-    pieces.push_back({from, to, false, centre, radius, ccw});
-    return;
-  }
-  // A whole turn less a hair halves to 180 degrees and then to 90: two levels are enough.
-  const Vec2 half = arc_middle(from, to, centre, radius, ccw);
-  append_arc(from, half, centre, radius, ccw, pieces);
-  append_arc(half, to, centre, radius, ccw, pieces);
+void append_arc(const CurvePiece& arc, bool over_half, std::vector<CurvePiece>& pieces) {
+  const double third = -0.5 * arc.radius * arc.radius;  // |a||b| cos 120 degrees
+  if (!over_half && dot(arc.from - arc.centre, arc.to - arc.centre) >= third) return pieces.push_back(arc);
+  CurvePiece first = arc, second = arc;
+  first.to = second.from = over_half ? far_middle(arc) : middle(arc);
+  append_arc(first, false, pieces);
+  append_arc(second, false, pieces);
 }
 
 void append_circle(Vec2 centre, double radius, bool ccw, std::vector<CurvePiece>& pieces) {

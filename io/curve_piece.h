@@ -9,7 +9,7 @@
 
 namespace crossloft {
 
-/// A directed segment, or an arc of a circle over at most half a turn.
+/// A directed segment, or an arc of a circle over less than half a turn.
 struct CurvePiece {
   Vec2 from, to;
   bool is_line = true;
@@ -25,9 +25,10 @@ Vec2 middle(const CurvePiece& piece);
 /// The least box around the pieces. REQUIRES: there are some.
 ViewBox bounds_of(std::span<const CurvePiece> pieces);
 
-/// Appends the arc between two points of a circle as pieces of a third of a turn at most: ends and radius of
-/// a long arc fix its centre badly. Equal ends are an arc of no length.
-void append_arc(Vec2 from, Vec2 to, Vec2 centre, double radius, bool ccw, std::vector<CurvePiece>& pieces);
+/// Appends an arc of any length as pieces of a third of a turn at most: ends and radius of a long arc fix its
+/// centre badly. Whether it is over half a turn decides where the ends, being rounded, can't: if they nearly
+/// coincide, it is tiny or all but a whole circle.
+void append_arc(const CurvePiece& arc, bool over_half, std::vector<CurvePiece>& pieces);
 /// Appends the circle as four pieces, from its rightmost point on.
 void append_circle(Vec2 centre, double radius, bool ccw, std::vector<CurvePiece>& pieces);
 

@@ -41,7 +41,7 @@ class SvgPath {
 
   SvgPath& move(Vec2 to);
   SvgPath& line(Vec2 to);
-  /// A line or an arc of at most half a turn, from the present point, which is its beginning. An arc is drawn
+  /// A line or an arc of less than half a turn, from the present point, which is its beginning. An arc is drawn
   /// as a line where no eye can tell.
   SvgPath& piece(const CurvePiece& piece);
   SvgPath& close();

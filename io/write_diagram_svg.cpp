@@ -55,7 +55,7 @@ ViewBox box_of(const MoebiusDiagram& diagram) {
   }
   for (const MoebiusArc& arc : diagram.arcs) {
     if (arc.curve.is_line) continue;
-    const ViewBox around = bounds_of(trace(diagram, arc, near));
+    const ViewBox around = bounds_of(trace(shape_of(diagram, arc), near));
     if (contains(near, around) || is_whole_and_near(arc, sites)) box = joined(box, around);
   }
   return box;

@@ -36,12 +36,29 @@ TEST_CASE("arcs of any length become short pieces on the same side") {
       const double angle = (ccw ? degrees : -degrees) * std::acos(-1.0) / 180;
       const Vec2 from = centre + Vec2{2, 0}, to = centre + Vec2{2 * std::cos(angle), 2 * std::sin(angle)};
       std::vector<CurvePiece> pieces;
-      append_arc(from, to, centre, 2, ccw, pieces);
+      append_arc({from, to, false, centre, 2, ccw}, degrees > 180, pieces);
       check_chain(pieces, from, to);
       double turn = 0;
       for (const CurvePiece& p : pieces)
         turn += std::atan2(cross(p.from - centre, p.to - centre), dot(p.from - centre, p.to - centre));
       CHECK(turn == doctest::Approx(angle));
+    }
+  }
+}
+
+TEST_CASE("an arc whose ends coincide is nothing or a whole turn, in whatever order rounding has left them") {
+  for (const double gap : {0.0, 1e-15, -1e-15}) {
+    const Vec2 from{3, 2}, to{3, 2 + gap};
+    for (const bool ccw : {true, false}) {
+      std::vector<CurvePiece> tiny, whole;
+      append_arc({from, to, false, {1, 2}, 2, ccw}, false, tiny);
+      CHECK(bounds_of(tiny).size().x < 1e-9);
+      append_arc({from, to, false, {1, 2}, 2, ccw}, true, whole);
+      check_chain(whole, from, to);
+      const ViewBox box = bounds_of(whole);
+      CHECK(box.low.x == doctest::Approx(-1));
+      CHECK(box.size().y == doctest::Approx(4));
+      for (const CurvePiece& p : whole) CHECK((cross(p.from - p.centre, p.to - p.centre) > 0) == ccw);
     }
   }
 }
@@ -57,7 +74,7 @@ TEST_CASE("a circle turns once in its direction") {
 
 TEST_CASE("bounds hold the parts of circles that bulge beyond their ends") {
   std::vector<CurvePiece> pieces{{{0, 0}, {1, 0}, true, {}, 0, false}};
-  append_arc({1, 0}, {3, 0}, {2, 0}, 1, false, pieces);
+  append_arc({{1, 0}, {3, 0}, false, {2, 0}, 1, false}, false, pieces);
   const ViewBox box = bounds_of(pieces);
   CHECK(box.low == Vec2{0, 0});
   CHECK(box.high.x == doctest::Approx(3));
@@ -109,8 +126,11 @@ TEST_CASE("clipped arcs: what is kept lies inside, what is dropped outside") {
     const Vec2 centre{place(random), place(random)};
     const double radius = size(random), a = angle(random), b = angle(random);
     std::vector<CurvePiece> arc;
-    append_arc(centre + radius * Vec2{std::cos(a), std::sin(a)},
-               centre + radius * Vec2{std::cos(b), std::sin(b)}, centre, radius, i % 2 == 0, arc);
+    const bool ccw = i % 2 == 0;
+    const double full = 2 * std::acos(-1.0), turn = std::fmod((ccw ? b - a : a - b) + full, full);
+    append_arc({centre + radius * Vec2{std::cos(a), std::sin(a)},
+                centre + radius * Vec2{std::cos(b), std::sin(b)}, false, centre, radius, ccw},
+               turn > full / 2, arc);
     double kept = 0;
     for (const CurveRun& run : clip(arc, kBox)) {
       for (std::size_t k = 0; k < run.pieces.size(); ++k) {
@@ -122,10 +142,9 @@ TEST_CASE("clipped arcs: what is kept lies inside, what is dropped outside") {
       if (run.enters) CHECK(std::abs(border_position(run.pieces.front().from, kBox)) <= 4);
     }
     constexpr int kSteps = 2000;
-    double turn = std::fmod((i % 2 == 0 ? b - a : a - b) + 2 * std::acos(-1.0), 2 * std::acos(-1.0)),
-           inside = 0;
+    double inside = 0;
     for (int k = 0; k < kSteps; ++k) {
-      const double t = a + (i % 2 == 0 ? 1 : -1) * turn * (k + 0.5) / kSteps;
+      const double t = a + (ccw ? 1 : -1) * turn * (k + 0.5) / kSteps;
       const Vec2 p = centre + radius * Vec2{std::cos(t), std::sin(t)};
       if (p.x > 0 && p.x < 4 && p.y > 0 && p.y < 2) inside += turn / kSteps;
     }
