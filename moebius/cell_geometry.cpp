@@ -27,6 +27,10 @@ struct Walk {
   Vec2 direction() const { return backwards ? -curve.direction : curve.direction; }
 };
 
+/// Square of chord over radius: a flatter arc is within 1e-7 of its length from its chord, which serves
+/// better than a circle whose centre is far away.
+constexpr double kFlat = 1e-12;
+
 /// (t - sin t) / 2, the area between an arc of angle t <= pi of the unit circle and its chord, from x = sin(t
 /// / 2): the triangle on the chord and two segments of half the angle, again and again. All terms are
 /// positive, so that flat arcs lose no digits.
@@ -112,7 +116,9 @@ class RayCrossings {
 
   int of_arc(const Walk& walk) const {
     const MoebiusCurve& circle = walk.curve;
-    const Vec2 begin = diagram_.vertices[walk.begin], end = diagram_.vertices[walk.end];
+    const Vec2 begin = diagram_.vertices[walk.begin], end = diagram_.vertices[walk.end], chord = end - begin;
+    if (!walk.arc.over_half && dot(chord, chord) < kFlat * circle.radius * circle.radius)
+      return crossing(above(begin.y), above(end.y), begin.x + (point_.y - begin.y) / chord.y * chord.x);
     const double dy = point_.y - circle.centre.y;
     const double reach = std::sqrt(std::max(circle.radius * circle.radius - dy * dy, 0.0));
     bool east = begin.x >= circle.centre.x, from_above = above(begin.y);

@@ -182,6 +182,27 @@ TEST_CASE("a hole in each of two pieces") {
   for (const CellComponent& c : cells.components_of(1)) CHECK(c.hole_count() == 1);
 }
 
+TEST_CASE("circles so large that they are lines within rounding") {
+  // As above, the lambdas no longer equal.
+  const double e = 0x1p-50;
+  const MoebiusDiagram diagram = diagram_of({{{-1, 0}},
+                                             {{0, 0}, 1 + e, 0},
+                                             {{1, 0}, 1 + 2 * e, 0},
+                                             {{0, 0}, 3, 3},
+                                             {{0, 10}, 200, -92},
+                                             {{0, -10}, 200, -92}});
+  CHECK(verify(diagram) == "");
+  const MoebiusCells cells = moebius_cells(diagram);
+  check_walks(diagram, cells);
+  for (const std::uint32_t whole : {3u, 4u, 5u}) CHECK(cells.components_of(whole).size() == 1);
+  std::uint32_t around = 0;
+  for (const CellComponent& c : cells.components_of(1))
+    for (const CellLoop& loop : cells.loops_of(c).first(c.has_outer ? 1 : 0))
+      for (const double y : {-5.0, 5.0})
+        around += winding_number(diagram, cells.steps_of(loop), {0.2, y}) == 1;
+  CHECK(around == 2);
+}
+
 TEST_CASE("random sites") {
   const unsigned seed = 99;
   INFO("seed " << seed);
