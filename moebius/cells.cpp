@@ -27,7 +27,8 @@ Vec2 direction(const MoebiusDiagram& diagram, CellStep step) {
 /// Which step follows a step around its cell.
 class Successors {
  public:
-  explicit Successors(const MoebiusDiagram& diagram) : diagram_(diagram), leaving_(diagram.vertices.size()) {
+  explicit Successors(const MoebiusDiagram& diagram)
+      : diagram_(diagram), leaving_(diagram.vertices.size(), {kNone, kNone, kNone}) {
     for (std::uint32_t s = 0; s < 2 * diagram.arcs.size(); ++s) {
       const CellStep step = step_of(s);
       const std::uint32_t v = begin_vertex(diagram, step);
@@ -49,13 +50,9 @@ class Successors {
   }
 
  private:
-  using Leaving = std::array<std::uint32_t, 3>;
   struct Entry {
     std::uint32_t site, step;
     friend auto operator<=>(const Entry&, const Entry&) = default;
-  };
-  struct Steps : Leaving {
-    Steps() : Leaving{kNone, kNone, kNone} {}
   };
 
   /// At infinity a cell is one of a power diagram, so it is convex and comes from there twice only if it is a
@@ -73,8 +70,8 @@ class Successors {
   }
 
   const MoebiusDiagram& diagram_;
-  std::vector<Steps> leaving_;  ///< of each vertex
-  std::vector<Entry> from_infinity_;
+  std::vector<std::array<std::uint32_t, 3>> leaving_;  ///< steps from each vertex
+  std::vector<Entry> from_infinity_;                   ///< sorted
 };
 
 /// Arcs that hang together; all that reach infinity hang together there.
