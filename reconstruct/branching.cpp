@@ -130,7 +130,8 @@ void BranchingCell::find_bare() {
 }
 
 bool BranchingCell::may_branch() const {
-  return components_ > (options_.mode == Branching::all || options_.cutting ? 1 : 2);
+  if (options_.mode == Branching::automatic && !options_.cutting) return components_ > 2;
+  return components_ > 0;
 }
 
 bool BranchingCell::lacks_something() const {

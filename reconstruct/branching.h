@@ -36,8 +36,7 @@ class BranchingCell {
                 std::span<const FaceId> ids, std::span<const CellFace> faces, std::span<const LatticePoint> points,
                 const BranchingOptions& options);
 
-  /// False if no diagram of the cell can have a sample: there must be a section component and another one, in mode
-  /// automatic two others.
+  /// False if no diagram of the cell can have a sample: there must be a section, in mode automatic three components.
   bool may_branch() const;
   /// In mode automatic: whether the cell, pruned without samples, leaves a section component bare, or a part of one that
   /// is bare on its other side too. In the other modes true.
