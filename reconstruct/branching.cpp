@@ -8,16 +8,18 @@
 
 #include "../geom/lattice_rounding.h"
 #include "../moebius/arc_sampling.h"
+#include "../moebius/cutting.h"
 #include "open_face.h"
 #include "section_map.h"
 
 namespace crossloft {
 namespace {
 
-/// Distance between samples, in mean contour edges at the two sites. On coarse and fine circles, spacings of 1 to 4 gave the
-/// same volume within 2 %; from 3 on, pieces of sections may stay bare.
+/// Distance between samples, in mean contour edges at the two sites. On coarse and fine circles, spacings of
+/// 1 to 4 gave the same volume within 2 %; from 3 on, pieces of sections may stay bare.
 constexpr double kSpacing = 2;
-/// Distance of samples from the section's border, in the same edges: nearer ones would break up contour edges.
+/// Distance of samples from the section's border, in the same edges: nearer ones would break up contour
+/// edges.
 constexpr double kClearance = 0.5;
 
 /// A point that may become a sample.
@@ -55,7 +57,10 @@ class BranchingCell::Sampler {
  private:
   /// Bits of the faces (of one word) whose arcs between a and b may carry samples.
   std::uint64_t wanted(std::uint32_t a, std::uint32_t b) const;
-  void add_candidates(std::size_t face, std::span<const FaceArc> arcs, const CellDiagrams& diagrams, bool cutting);
+  std::vector<FaceArc> cutting(std::size_t face, std::span<const FaceArc> all,
+                               const CellDiagrams& diagrams) const;
+  void add_candidates(std::size_t face, std::span<const FaceArc> arcs, const CellDiagrams& diagrams,
+                      bool cutting);
   void collect_arcs();
   void find_lacking();
   bool is_of_use(const Candidate& c) const;
@@ -69,9 +74,10 @@ class BranchingCell::Sampler {
   std::vector<FaceFrame> frames_;
   std::vector<SectionMap> maps_;
   std::vector<Box2> regions_;
-  std::vector<double> spacing_;              ///< by vertex
-  std::vector<std::array<std::uint32_t, 2>> neighbours_;  ///< pairs of vertices joined by a section's border, sorted
-  std::vector<std::uint64_t> with_section_;  ///< bits of faces, by word
+  std::vector<double> spacing_;  ///< by vertex
+  std::vector<std::array<std::uint32_t, 2>>
+      neighbours_;                             ///< pairs of vertices joined by a section's border, sorted
+  std::vector<std::uint64_t> with_section_;    ///< bits of faces, by word
   std::vector<std::vector<FaceArc>> arcs_;     ///< by face
   std::vector<std::vector<Candidate>> found_;  ///< by face
   std::vector<std::uint8_t> lacking_;  ///< by component: it is flat somewhere on its branching diagram
@@ -82,7 +88,12 @@ BranchingCell::BranchingCell(const SectionGraph& graph, const Arrangement& arran
                              std::span<const SectionLocator> locators, std::span<const FaceId> ids,
                              std::span<const CellFace> faces, std::span<const LatticePoint> points,
                              const BranchingOptions& options)
-    : graph_(graph), arrangement_(arrangement), locators_(locators), ids_(ids), faces_(faces), points_(points),
+    : graph_(graph),
+      arrangement_(arrangement),
+      locators_(locators),
+      ids_(ids),
+      faces_(faces),
+      points_(points),
       options_(options) {
   label_vertices();
   find_bare();
@@ -90,7 +101,8 @@ BranchingCell::BranchingCell(const SectionGraph& graph, const Arrangement& arran
 
 /// A section component of a cell: internal triangles of its faces that hang together at vertices.
 void BranchingCell::label_vertices() {
-  for (const CellFace& face : faces_) numbers_.insert(numbers_.end(), face.numbers.begin(), face.numbers.end());
+  for (const CellFace& face : faces_)
+    numbers_.insert(numbers_.end(), face.numbers.begin(), face.numbers.end());
   std::sort(numbers_.begin(), numbers_.end());
   numbers_.erase(std::unique(numbers_.begin(), numbers_.end()), numbers_.end());
   std::vector<std::uint32_t> parent(numbers_.size(), kNone);
@@ -129,13 +141,10 @@ void BranchingCell::find_bare() {
     }
 }
 
-bool BranchingCell::may_branch() const {
-  if (options_.mode == Branching::automatic && !options_.cutting) return components_ > 2;
-  return components_ > 0;
-}
+bool BranchingCell::may_branch() const { return components_ > (options_.only_where_lacking() ? 2 : 0); }
 
 bool BranchingCell::lacks_something() const {
-  if (options_.mode != Branching::automatic || flat_somewhere_) return true;
+  if (!options_.only_where_lacking() || flat_somewhere_) return true;
   for (std::size_t v = 0; v < labels_.size(); ++v)
     if (labels_[v] == v && bare_[v] != 0) return true;
   return false;
@@ -144,8 +153,9 @@ bool BranchingCell::lacks_something() const {
 std::vector<LatticePoint> distinct_samples(std::vector<LatticePoint> samples) {
   std::sort(samples.begin(), samples.end(),
             [](const LatticePoint& a, const LatticePoint& b) { return compare_lex(a, b) < 0; });
-  samples.erase(std::unique(samples.begin(), samples.end(), [](const auto& a, const auto& b) { return equal(a, b); }),
-                samples.end());
+  samples.erase(
+      std::unique(samples.begin(), samples.end(), [](const auto& a, const auto& b) { return equal(a, b); }),
+      samples.end());
   return samples;
 }
 
@@ -155,7 +165,8 @@ BranchingCell::Sampler::Sampler(const BranchingCell& cell, const CellTriangulati
   with_section_.assign(vertices_.words, 0);
   for (std::size_t f = 0; f < face_count; ++f) {
     const FaceId id = cell.ids_[f];
-    frames_.emplace_back(cell.graph_.planes[cell.arrangement_.plane_of(id).value], cell.faces_[f].side == 1 ? 1 : -1);
+    frames_.emplace_back(cell.graph_.planes[cell.arrangement_.plane_of(id).value],
+                         cell.faces_[f].side == 1 ? 1 : -1);
     maps_.push_back(section_map(cell.faces_[f], frames_[f], cell.points_));
     regions_.push_back(maps_[f].box());
     if (!maps_[f].empty()) with_section_[f / 64] |= std::uint64_t{1} << (f % 64);
@@ -170,7 +181,8 @@ BranchingCell::Sampler::Sampler(const BranchingCell& cell, const CellTriangulati
       for (const std::uint32_t v : {a, b}) length[v] += edge, ++count[v];
     });
   std::sort(neighbours_.begin(), neighbours_.end());
-  for (std::size_t v = 0; v < length.size(); ++v) spacing_.push_back(count[v] == 0 ? 0 : kSpacing * length[v] / count[v]);
+  for (std::size_t v = 0; v < length.size(); ++v)
+    spacing_.push_back(count[v] == 0 ? 0 : kSpacing * length[v] / count[v]);
 }
 
 /// Automatic: only where two section components meet; their own sections are told apart at the samples.
@@ -185,13 +197,15 @@ std::uint64_t BranchingCell::Sampler::wanted(std::uint32_t a, std::uint32_t b) c
   return with_section_[word_];
 }
 
-/// The sphere tangent at a meets the interior of another section before it meets the sites: a does not branch there.
+/// The sphere tangent at a meets the interior of another section before it meets the sites: a does not branch
+/// there.
 bool BranchingCell::Sampler::stopped(std::size_t face, Vec2 a, double radius) const {
   const Vec3 at = frames_[face].to_space(a), up = frames_[face].up();
   for (std::size_t f = 0; f < frames_.size(); ++f) {
     if (f == face || maps_[f].empty()) continue;
     const Vec3 n = frames_[f].up();
-    const double toward = 1 - dot(up, n), distance = dot(n, at - frames_[f].to_space(frames_[f].to_plane(at)));
+    const double toward = 1 - dot(up, n),
+                 distance = dot(n, at - frames_[f].to_space(frames_[f].to_plane(at)));
     if (!(distance < radius * toward)) continue;
     const double r = distance / toward;
     if (maps_[f].triangle_at(frames_[f].to_plane(at + r * up)) != kNone) return true;
@@ -214,8 +228,25 @@ bool BranchingCell::Sampler::keep(const Candidate& c, FaceState& state) const {
   return true;
 }
 
-/// Points along the arcs inside the section, where the tangent sphere reaches the sites. In mode automatic, branching is
-/// between two other components than the point's own.
+/// The arcs of the cutting diagram among all arcs of a face.
+std::vector<FaceArc> BranchingCell::Sampler::cutting(std::size_t face, std::span<const FaceArc> all,
+                                                     const CellDiagrams& diagrams) const {
+  if (all.empty()) return {};
+  std::vector<NumberedSite> sites;
+  for (std::uint32_t v = 0; v < vertices_.size(); ++v)
+    if (!vertices_.on_face(v, face))
+      sites.push_back({v, diagrams.site(v, static_cast<std::uint32_t>(face % 64))});
+  std::vector<DirectedWall> walls;
+  maps_[face].for_each_border_edge([&](std::uint32_t a, std::uint32_t b, double) {
+    walls.push_back({maps_[face].point(a), maps_[face].point(b)});
+  });
+  std::vector<FaceArc> arcs;
+  for (const std::uint32_t k : cutting_arcs(sites, all, walls, neighbours_)) arcs.push_back(all[k]);
+  return arcs;
+}
+
+/// Points along the arcs inside the section, where the tangent sphere reaches the sites. In mode automatic,
+/// branching is between two other components than the point's own.
 void BranchingCell::Sampler::add_candidates(std::size_t face, std::span<const FaceArc> arcs,
                                             const CellDiagrams& diagrams, bool cutting) {
   const auto in_word = static_cast<std::uint32_t>(face % 64);
@@ -243,19 +274,23 @@ void BranchingCell::Sampler::find_lacking() {
   lacking_.assign(cell_.labels_.size(), 0);
   for (std::size_t f = 0; f < found_.size(); ++f)
     for (const Candidate& c : found_[f])
-      if (!cell_.faces_[f].covers(c.triangle) && !cell_.faces_[f].covered_behind(c.triangle)) lacking_[c.labels[0]] = 1;
+      if (!cell_.faces_[f].covers(c.triangle) && !cell_.faces_[f].covered_behind(c.triangle))
+        lacking_[c.labels[0]] = 1;
 }
 
-/// Whether a sample may mend what the vertices alone leave undone: one of the components is bare, or its own is flat somewhere
-/// along the diagram.
+/// Whether a sample may mend what the vertices alone leave undone: one of the components is bare, or its own
+/// is flat somewhere along the diagram.
 bool BranchingCell::Sampler::is_of_use(const Candidate& c) const {
   return c.always || lacking_[c.labels[0]] != 0 ||
          std::any_of(c.labels.begin(), c.labels.end(), [&](std::uint32_t l) { return cell_.bare_[l] != 0; });
 }
 
 void BranchingCell::Sampler::take(std::size_t face, FaceBranching& out) const {
-  FaceState state{face, OpenFace(cell_.graph_, cell_.arrangement_, out.face),
-                  cell_.locators_[cell_.arrangement_.plane_of(out.face).value], {}, out.samples};
+  FaceState state{face,
+                  OpenFace(cell_.graph_, cell_.arrangement_, out.face),
+                  cell_.locators_[cell_.arrangement_.plane_of(out.face).value],
+                  {},
+                  out.samples};
   for (const Candidate& c : found_[face])
     if (is_of_use(c)) keep(c, state);
 }
@@ -267,13 +302,22 @@ void BranchingCell::Sampler::collect_arcs() {
   for (word_ = 0; word_ < vertices_.words; ++word_) {
     const CellSites sites{vertices_.points, &mesh_, frames_, vertices_.face_masks, vertices_.words, regions_};
     CellDiagrams diagrams(sites, word_);
-    const std::size_t first = 64 * std::size_t{word_}, count = std::min<std::size_t>(64, frames_.size() - first);
+    const std::size_t first = 64 * std::size_t{word_},
+                      count = std::min<std::size_t>(64, frames_.size() - first);
     const auto arcs_of = [&](auto&& wanted_faces, std::vector<std::vector<FaceArc>>& arcs) {
       diagrams.arcs(wanted_faces, std::span(arcs).subspan(first, count));
     };
     if (cell_.options_.mode != Branching::off)
       arcs_of([&](const TetEdge& edge) { return wanted(edge.i, edge.j); }, arcs_);
     for (std::size_t f = first; f < first + count; ++f) add_candidates(f, arcs_[f], diagrams, false);
+    if (!cell_.options_.cutting) continue;
+    std::vector<std::vector<FaceArc>> all(frames_.size());
+    arcs_of([&](const TetEdge&) { return with_section_[word_]; }, all);
+    for (std::size_t f = first; f < first + count; ++f) {
+      const std::vector<FaceArc> cut = cutting(f, all[f], diagrams);
+      add_candidates(f, cut, diagrams, true);
+      arcs_[f].insert(arcs_[f].end(), cut.begin(), cut.end());
+    }
   }
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-/// Samples of the branching and cutting diagrams of one cell (paper, section 2): points inside sections where the reconstruction
-/// changes over from one neighbour to another.
+/// Samples of the branching and cutting diagrams of one cell (paper, section 2): points inside sections where
+/// the reconstruction changes over from one neighbour to another.
 
 #include <algorithm>
 #include <cstdint>
@@ -17,29 +17,31 @@ namespace crossloft {
 /// What the diagram of one face, seen from one of its two cells, has given.
 struct FaceBranching {
   FaceId face;
-  std::size_t side = 0;                ///< 0: seen from the cell on the negative side of the plane, 1: positive
-  FaceFrame frame;                     ///< plane coordinates of the arcs
-  std::vector<FaceArc> arcs;           ///< those that samples were looked for on
-  std::vector<LatticePoint> samples;   ///< strictly inside the face and its section
+  std::size_t side = 0;       ///< 0: seen from the cell on the negative side of the plane, 1: positive
+  FaceFrame frame;            ///< plane coordinates of the arcs
+  std::vector<FaceArc> arcs;  ///< those that samples were looked for on
+  std::vector<LatticePoint> samples;  ///< strictly inside the face and its section
 };
 
 struct CellBranching {
-  std::vector<FaceBranching> faces;    ///< those with arcs
-  double seconds = 0;                  ///< of the diagrams and samples, without the triangulation
+  std::vector<FaceBranching> faces;  ///< those with arcs
+  double seconds = 0;                ///< of the diagrams and samples, without the triangulation
 };
 
 /// Works out the samples of one cell. References must outlive it.
 class BranchingCell {
  public:
   /// `ids` and `faces` in step: the faces of the cell that are not on the box. `points` by number.
-  BranchingCell(const SectionGraph& graph, const Arrangement& arrangement, std::span<const SectionLocator> locators,
-                std::span<const FaceId> ids, std::span<const CellFace> faces, std::span<const LatticePoint> points,
+  BranchingCell(const SectionGraph& graph, const Arrangement& arrangement,
+                std::span<const SectionLocator> locators, std::span<const FaceId> ids,
+                std::span<const CellFace> faces, std::span<const LatticePoint> points,
                 const BranchingOptions& options);
 
-  /// False if no diagram of the cell can have a sample: there must be a section, in mode automatic three components.
+  /// False if no diagram of the cell can have a sample: there must be a section, in mode automatic three
+  /// components.
   bool may_branch() const;
-  /// In mode automatic: whether the cell, pruned without samples, leaves a section component bare, or a part of one that
-  /// is bare on its other side too. In the other modes true.
+  /// Where only cells that lack something are looked at: whether the cell, pruned without samples, leaves a
+  /// section component bare, or a part of one that is bare on its other side too. Else true.
   bool lacks_something() const;
   /// REQUIRES: `triangulation` holds the vertices of the faces and has tetrahedra.
   CellBranching run(const CellTriangulation& triangulation) const;
@@ -53,7 +55,8 @@ class BranchingCell {
   }
   /// Position of a vertex number in the cell.
   std::uint32_t local(std::uint32_t number) const {
-    return static_cast<std::uint32_t>(std::lower_bound(numbers_.begin(), numbers_.end(), number) - numbers_.begin());
+    return static_cast<std::uint32_t>(std::lower_bound(numbers_.begin(), numbers_.end(), number) -
+                                      numbers_.begin());
   }
 
   const SectionGraph& graph_;
@@ -64,10 +67,11 @@ class BranchingCell {
   std::span<const LatticePoint> points_;
   BranchingOptions options_;
   std::vector<std::uint32_t> numbers_;  ///< of the cell's vertices, ascending
-  std::vector<std::uint32_t> labels_;   ///< in step: section component, kNone for a vertex of no internal triangle
-  std::vector<std::uint8_t> bare_;      ///< by component: no triangle of it is covered in this cell
+  std::vector<std::uint32_t>
+      labels_;  ///< in step: section component, kNone for a vertex of no internal triangle
+  std::vector<std::uint8_t> bare_;  ///< by component: no triangle of it is covered in this cell
   std::uint32_t components_ = 0;
-  bool flat_somewhere_ = false;         ///< an internal triangle is covered in neither of its cells
+  bool flat_somewhere_ = false;  ///< an internal triangle is covered in neither of its cells
 };
 
 /// Sorted, without repetitions: both sides of a face may have chosen the same point.

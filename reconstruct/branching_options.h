@@ -15,6 +15,9 @@ enum class Branching : std::uint8_t {
 struct BranchingOptions {
   Branching mode = Branching::automatic;
   bool cutting = false;  ///< also samples of the cutting diagram
+
+  /// Only cells that leave something bare are looked at.
+  bool only_where_lacking() const { return mode == Branching::automatic && !cutting; }
 };
 
 }  // namespace crossloft

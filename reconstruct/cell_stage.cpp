@@ -20,7 +20,8 @@ std::vector<FaceId> Pipeline::inner_faces(CellId id) const {
 std::vector<CellFace> Pipeline::cell_faces(CellId id, std::span<const FaceId> ids) const {
   std::vector<CellFace> faces;
   for (const FaceId f : ids)
-    faces.push_back({&faces_[f.value], numbering_.of_face[f.value], arrangement_->cells_of(f)[0] == id ? 0u : 1u});
+    faces.push_back(
+        {&faces_[f.value], numbering_.of_face[f.value], arrangement_->cells_of(f)[0] == id ? 0u : 1u});
   return faces;
 }
 
@@ -48,14 +49,16 @@ Result<Done> Pipeline::prune_cell(CellId id, CellState& state) {
   Stopwatch watch;
   PruneResult pruned = prune(cell.complex, options_.mode);
   const auto good = self_check("pruning", [&] {
-    const bool may_fail = options_.mode == PruneMode::paper_literal;  // its Step 3 breaks solidity, as documented
+    const bool may_fail =
+        options_.mode == PruneMode::paper_literal;  // its Step 3 breaks solidity, as documented
     return verify(cell.complex) && (may_fail || verify(cell.complex, pruned)) ? "" : "a cell is not solid";
   });
   if (!good) return good;
   CellReport& report = state.report;
   report.faces = static_cast<std::uint32_t>(faces.size());
   report.vertices = cell.complex.vertex_count;
-  report.tets_r0 = pruned.r0, report.tets_r1 = pruned.r1, report.tets_r2 = pruned.r2, report.tets_r3 = pruned.r3;
+  report.tets_r0 = pruned.r0, report.tets_r1 = pruned.r1, report.tets_r2 = pruned.r2,
+  report.tets_r3 = pruned.r3;
   report.bad_links = census_links(cell.complex, pruned.kept).bad_links();
   state.pruning_seconds += watch.lap();
   state.delaunay_seconds = cell.delaunay_seconds;
@@ -82,9 +85,11 @@ Result<Done> Pipeline::prune_due_cells() {
 Result<CellBranching> Pipeline::branch(CellId id, CellState& state) {
   const std::vector<FaceId> ids = inner_faces(id);
   const std::vector<CellFace> faces = cell_faces(id, ids);
-  const bool automatic = options_.branching.mode == Branching::automatic;
-  if (!has_section(faces) || (automatic && !observer_ && !is_somewhere_bare(faces))) return CellBranching{};
-  const BranchingCell cell(graph_, *arrangement_, locators_, ids, faces, numbering_.points, options_.branching);
+  if (!has_section(faces)) return CellBranching{};
+  if (options_.branching.only_where_lacking() && !observer_ && !is_somewhere_bare(faces))
+    return CellBranching{};
+  const BranchingCell cell(graph_, *arrangement_, locators_, ids, faces, numbering_.points,
+                           options_.branching);
   if (!cell.may_branch() || !(cell.lacks_something() || observer_)) return CellBranching{};
   if (!state.triangulation) state.triangulation = std::make_unique<CellTriangulation>(faces.size());
   if (auto done = state.triangulation->add(faces, numbering_.points); !done) return done.error();

@@ -18,7 +18,8 @@ struct CellFace {
   std::span<const std::uint32_t> numbers;
   std::uint32_t side = 0;  ///< 0 if the cell is on the negative side of the face's plane, else 1
 
-  /// Whether a kept tetrahedron of the cell stands on an internal triangle. REQUIRES: the cell has been pruned.
+  /// Whether a kept tetrahedron of the cell stands on an internal triangle. REQUIRES: the cell has been
+  /// pruned.
   bool covers(std::size_t triangle) const { return triangulation->covered[side][triangle] != 0; }
   /// The same for the cell on the other side.
   bool covered_behind(std::size_t triangle) const { return triangulation->covered[1 - side][triangle] != 0; }
@@ -32,14 +33,16 @@ struct CellVertices {
   std::uint32_t words = 1;
 
   std::uint32_t size() const { return static_cast<std::uint32_t>(numbers.size()); }
-  std::uint64_t mask(std::uint32_t v, std::uint32_t word) const { return face_masks[std::size_t{v} * words + word]; }
+  std::uint64_t mask(std::uint32_t v, std::uint32_t word) const {
+    return face_masks[std::size_t{v} * words + word];
+  }
   bool on_face(std::uint32_t v, std::size_t face) const {
     return (mask(v, static_cast<std::uint32_t>(face / 64)) >> (face % 64) & 1) != 0;
   }
 };
 
-/// Predicates over the vertices of a cell that answer what the faces already say: four vertices on one face are
-/// coplanar, three on two faces collinear. Sees vertices that are added later.
+/// Predicates over the vertices of a cell that answer what the faces already say: four vertices on one face
+/// are coplanar, three on two faces collinear. Sees vertices that are added later.
 class CellPredicates {
  public:
   explicit CellPredicates(const CellVertices& vertices) : v_(&vertices) {}

@@ -9,12 +9,14 @@ namespace crossloft {
 Result<Done> Pipeline::triangulate_faces() {
   inputs_ = face_inputs(graph_, *arrangement_);
   wall_ends_.resize(graph_.planes.size());
-  for (std::uint32_t p = 0; p < graph_.planes.size(); ++p) locators_.push_back(graph_.locator(p, wall_ends_[p]));
+  for (std::uint32_t p = 0; p < graph_.planes.size(); ++p)
+    locators_.push_back(graph_.locator(p, wall_ends_[p]));
   faces_.resize(inputs_.size());
   const auto good = for_all(inputs_.size(), "faces", [&](std::size_t f) -> Result<Done> {
     const FaceId id{static_cast<std::uint32_t>(f)};
     if (arrangement_->on_box(id)) return Done{};
-    auto face = triangulate_face(graph_, *arrangement_, locators_[arrangement_->plane_of(id).value], inputs_[f]);
+    auto face =
+        triangulate_face(graph_, *arrangement_, locators_[arrangement_->plane_of(id).value], inputs_[f]);
     if (!face) return face.error();
     faces_[f] = std::move(face).value();
     return Done{};
@@ -30,7 +32,8 @@ Result<Done> Pipeline::refine_faces(std::span<const std::vector<LatticePoint>> s
   const auto good = for_all(faces_.size(), "faces", [&](std::size_t f) -> Result<Done> {
     if (samples[f].empty()) return Done{};
     const auto& locator = locators_[faces_[f].plane];
-    auto face = refine_face(graph_, *arrangement_, locator, inputs_[f], faces_[f], distinct_samples(samples[f]));
+    auto face =
+        refine_face(graph_, *arrangement_, locator, inputs_[f], faces_[f], distinct_samples(samples[f]));
     if (!face) return face.error();
     faces_[f] = std::move(face).value();
     return Done{};

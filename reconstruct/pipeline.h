@@ -40,9 +40,9 @@ struct CellState {
   CellReport report;
   double delaunay_seconds = 0, pruning_seconds = 0;
   Error error;
-  BuiltCell built;       ///< only for an observer
+  BuiltCell built;  ///< only for an observer
   PruneResult pruned;
-  bool due = true;       ///< to be pruned: not yet done, or its faces have changed
+  bool due = true;  ///< to be pruned: not yet done, or its faces have changed
 };
 
 /// run() goes through the stages in the order they are declared.
@@ -76,7 +76,8 @@ class Pipeline {
   std::vector<CellFace> cell_faces(CellId id, std::span<const FaceId> ids) const;
   Result<Done> prune_due_cells();
   Result<Done> prune_cell(CellId id, CellState& state);
-  void cover(std::span<const CellFace> faces, std::span<const FaceId> ids, const BuiltCell& cell, const PruneResult& pruned);
+  void cover(std::span<const CellFace> faces, std::span<const FaceId> ids, const BuiltCell& cell,
+             const PruneResult& pruned);
   Result<Done> add_samples();
   Result<CellBranching> branch(CellId id, CellState& state);
   void finish_cells();

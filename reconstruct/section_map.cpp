@@ -6,7 +6,9 @@
 namespace crossloft {
 namespace {
 
-std::array<double, 2> range_of(std::initializer_list<double> values) { return {std::min(values), std::max(values)}; }
+std::array<double, 2> range_of(std::initializer_list<double> values) {
+  return {std::min(values), std::max(values)};
+}
 
 /// Edges that one triangle alone has, as that triangle runs through them.
 std::vector<std::array<std::uint32_t, 2>> border_of(std::span<const std::array<std::uint32_t, 3>> triangles) {
@@ -23,7 +25,8 @@ std::vector<std::array<std::uint32_t, 2>> border_of(std::span<const std::array<s
   std::vector<std::array<std::uint32_t, 2>> border;
   for (std::size_t i = 0; i < edges.size(); ++i) {
     const bool first = i == 0 || edges[i - 1].ends != edges[i].ends;
-    if (first && (i + 1 == edges.size() || edges[i + 1].ends != edges[i].ends)) border.push_back(edges[i].directed);
+    if (first && (i + 1 == edges.size() || edges[i + 1].ends != edges[i].ends))
+      border.push_back(edges[i].directed);
   }
   return border;
 }

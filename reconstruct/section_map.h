@@ -1,6 +1,6 @@
 #pragma once
-/// The section on one face in rounded plane coordinates: what branching samples are placed by. What is decided here is
-/// where to look; that a sample is inside is tested exactly afterwards.
+/// The section on one face in rounded plane coordinates: what branching samples are placed by. What is
+/// decided here is where to look; that a sample is inside is tested exactly afterwards.
 
 #include <cstdint>
 #include <span>
@@ -16,7 +16,8 @@ namespace crossloft {
 /// Internal triangles and the edges that bound them, in strips of y.
 class SectionMap {
  public:
-  /// `points`: plane coordinates by local vertex of the face; mirrored if seen from the negative side of its plane.
+  /// `points`: plane coordinates by local vertex of the face; mirrored if seen from the negative side of its
+  /// plane.
   SectionMap(const FaceTriangulation& face, std::vector<Vec2> points, bool mirrored);
 
   bool empty() const { return triangles_.empty(); }
@@ -24,10 +25,12 @@ class SectionMap {
   std::uint32_t triangle_at(Vec2 a) const;
   /// Square of the distance from a to the border of the section, `limit` if that is smaller.
   double squared_distance_to_border(Vec2 a, double limit) const;
-  /// Calls act(a, b, length) for each edge of the section's border, local vertices of the face, the section on the left.
+  /// Calls act(a, b, length) for each edge of the section's border, local vertices of the face, the section
+  /// on the left.
   template <class Act>
   void for_each_border_edge(Act&& act) const {
-    for (const auto& [a, b] : border_) act(a, b, std::sqrt(dot(points_[b] - points_[a], points_[b] - points_[a])));
+    for (const auto& [a, b] : border_)
+      act(a, b, std::sqrt(dot(points_[b] - points_[a], points_[b] - points_[a])));
   }
   /// Plane coordinates of a local vertex of the face.
   Vec2 point(std::uint32_t v) const { return points_[v]; }

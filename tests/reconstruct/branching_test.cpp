@@ -21,7 +21,8 @@ constexpr Vec3 kUp{0, 0, 1};
 /// Circles of radius r around the points of a row along x or y, in the plane z.
 PlaneSection row(double z, std::vector<double> at, bool along_x, double r, int corners) {
   PlaneSection plane = plane_at(kUp, {0, 0, z});
-  for (const double t : at) add_contour(plane, polygon(kUp, along_x ? Vec3{t, 0, z} : Vec3{0, t, z}, r, corners));
+  for (const double t : at)
+    add_contour(plane, polygon(kUp, along_x ? Vec3{t, 0, z} : Vec3{0, t, z}, r, corners));
   return plane;
 }
 
@@ -31,7 +32,9 @@ struct Watcher : Observer {
     graph = g;
     for (std::uint32_t c = 0; c < a.face_count(); ++c) planes.push_back(a.plane_of(FaceId{c}).value);
   }
-  void on_branching(const FaceBranching& b, const FaceTriangulation&, const Numbering&) override { sides.push_back(b); }
+  void on_branching(const FaceBranching& b, const FaceTriangulation&, const Numbering&) override {
+    sides.push_back(b);
+  }
   SectionGraph graph;
   std::vector<std::uint32_t> planes;
   std::vector<FaceBranching> sides;
@@ -58,7 +61,8 @@ void check_sound(const Reconstruction& r) {
 
 TEST_CASE("samples lie strictly inside their section and are vertices of both cells") {
   Watcher watcher;
-  const Sections sections{"", {row(0, {0.1}, true, 1, 40), row(1, {-1, 1}, true, 0.5, 24), row(2, {0.1}, true, 1, 40)}};
+  const Sections sections{
+      "", {row(0, {0.1}, true, 1, 40), row(1, {-1, 1}, true, 0.5, 24), row(2, {0.1}, true, 1, 40)}};
   const auto r = reconstruct(sections, {}, {}, &watcher);
   REQUIRE(r.ok());
   REQUIRE(sample_count(watcher) > 0);
@@ -78,7 +82,8 @@ TEST_CASE("samples lie strictly inside their section and are vertices of both ce
 }
 
 TEST_CASE("three slices, one and two and one: both ways round are there") {
-  const Sections sections{"", {row(0, {0.1}, true, 1, 40), row(1, {-1, 1}, true, 0.5, 24), row(2, {0.1}, true, 1, 40)}};
+  const Sections sections{
+      "", {row(0, {0.1}, true, 1, 40), row(1, {-1, 1}, true, 0.5, 24), row(2, {0.1}, true, 1, 40)}};
   const auto alone = reconstruct(sections, with(Branching::off));
   const auto joined = reconstruct(sections);
   REQUIRE(alone.ok());
@@ -91,7 +96,8 @@ TEST_CASE("three slices, one and two and one: both ways round are there") {
 }
 
 TEST_CASE("a section that branches to both sides, across: the diagrams cross in it") {
-  const Sections sections{"", {row(0, {-1, 1}, true, 0.5, 24), row(1, {0}, true, 1, 40), row(2, {-1, 1}, false, 0.5, 24)}};
+  const Sections sections{
+      "", {row(0, {-1, 1}, true, 0.5, 24), row(1, {0}, true, 1, 40), row(2, {-1, 1}, false, 0.5, 24)}};
   Watcher watcher;
   const auto r = reconstruct(sections, {}, {}, &watcher);
   REQUIRE(r.ok());
@@ -114,7 +120,8 @@ TEST_CASE("planes without branching get no samples, also if all of the diagram i
 
 TEST_CASE("all samples the medial axis of one section, automatic the axis between two") {
   PlaneSection bean = plane_at(kUp, {0, 0, 1});  // a U: its arms compete within one section
-  add_contour(bean, {{-2, -2, 1}, {2, -2, 1}, {2, 2, 1}, {1, 2, 1}, {1, -1, 1}, {-1, -1, 1}, {-1, 2, 1}, {-2, 2, 1}});
+  add_contour(
+      bean, {{-2, -2, 1}, {2, -2, 1}, {2, 2, 1}, {1, 2, 1}, {1, -1, 1}, {-1, -1, 1}, {-1, 2, 1}, {-2, 2, 1}});
   PlaneSection square_below = plane_at(kUp, {0, 0, 0});
   add_contour(square_below, square(0, 0, 0, 3));
   const Sections sections{"", {square_below, bean}};
@@ -152,12 +159,15 @@ TEST_CASE("random small scenes with every sample there is: the promises hold") {
     const int planes = 2 + static_cast<int>(random() % 4);
     for (int p = 0; p < planes; ++p) {
       Vec3 normal = round % 2 == 0 ? kUp : random_vector(random);
-      PlaneSection plane = plane_at(normal, round % 2 == 0 ? Vec3{0, 0, 1.0 * p} : 0.3 * random_vector(random));
+      PlaneSection plane =
+          plane_at(normal, round % 2 == 0 ? Vec3{0, 0, 1.0 * p} : 0.3 * random_vector(random));
       const Vec3 n = unit(normal), u = unit(cross(n, {0.3, 0.2, 1.1})), v = cross(n, u);
       const Vec3 origin = (-plane.offset / dot(normal, normal)) * normal;
       for (int k = 0; k < 3; ++k) {  // disjoint circles in a row
-        const Vec3 centre = origin + (2.0 * (k - 1) + 0.3 * uniform(random)) * u + (0.3 * uniform(random)) * v;
-        add_contour(plane, polygon(normal, centre, 0.4 + 0.15 * uniform(random), 5 + static_cast<int>(random() % 12)));
+        const Vec3 centre =
+            origin + (2.0 * (k - 1) + 0.3 * uniform(random)) * u + (0.3 * uniform(random)) * v;
+        add_contour(plane, polygon(normal, centre, 0.4 + 0.15 * uniform(random),
+                                   5 + static_cast<int>(random() % 12)));
       }
       sections.planes.push_back(plane);
     }
