@@ -188,10 +188,14 @@ template <std::size_t D, class P>
 void DelaunayCore<D, P>::keep_lowest() {
   for (auto k = static_cast<std::uint32_t>(kept_.size()); k < predicates_.size(); ++k) kept_.push_back(k);
   std::vector<std::uint32_t> lowest(kept_.size(), kNone);
+  bool renames = false;
   for (std::uint32_t i = 0; i < kept_.size(); ++i) {
     if (kept_[i] != kNone) kept_[i] = kept_[kept_[i]];
-    if (kept_[i] != kNone && lowest[kept_[i]] == kNone) lowest[kept_[i]] = i;
+    if (kept_[i] == kNone || lowest[kept_[i]] != kNone) continue;
+    lowest[kept_[i]] = i;
+    renames |= kept_[i] != i;
   }
+  if (!renames) return;
   const auto renamed = [&](std::uint32_t v) { return v == kNone ? v : lowest[v]; };
   for (std::uint32_t& k : kept_) k = renamed(k);
   for (std::uint32_t cell = 0; cell < cells_.size(); ++cell) {
@@ -206,6 +210,7 @@ template <std::size_t D, class P>
 void DelaunayCore<D, P>::finite(std::vector<Simplex<D>>& vertices,
                                 std::vector<Simplex<D>>& neighbours) const {
   std::vector<std::uint32_t> number(cells_.size(), kNone);
+  vertices.reserve(cells_.size());
   for (std::uint32_t cell = 0; cell < cells_.size(); ++cell) {
     if (cells_.is_free(cell) || cells_.is_ghost(cell)) continue;
     number[cell] = static_cast<std::uint32_t>(vertices.size());

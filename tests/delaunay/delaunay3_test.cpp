@@ -51,6 +51,26 @@ void check_order_independent(std::vector<LatticePoint> points) {
   }
 }
 
+/// Knows the first `known` points only.
+struct Growing : LatticePredicates3 {
+  using LatticePredicates3::LatticePredicates3;
+  std::uint32_t size() const { return known; }
+  std::uint32_t known = 0;
+};
+
+/// Points from `first` on, added to a triangulation of the others.
+void check_extend(const std::vector<LatticePoint>& points, std::uint32_t first) {
+  Growing predicates(points);
+  predicates.known = first;
+  Delaunay3 triangulation(predicates);
+  triangulation.build();
+  predicates.known = static_cast<std::uint32_t>(points.size());
+  triangulation.extend(first);
+  CHECK(triangulation.verify() == "");
+  CHECK(point_sets::by_rank(triangulation.tet_mesh().vertices, point_sets::ranks(points)) ==
+        tets_by_rank(points));
+}
+
 /// Facets without a neighbour; each edge of them must be met once in each direction.
 void check_hull_closed(const TetMesh& mesh) {
   std::map<std::array<std::uint32_t, 2>, int> edges;
@@ -91,26 +111,18 @@ TEST_CASE("the triangulation is a function of the point set") {
 }
 
 TEST_CASE("points added later give what all points at once give") {
-  /// Knows the first `known` points only.
-  struct Growing : LatticePredicates3 {
-    using LatticePredicates3::LatticePredicates3;
-    std::uint32_t size() const { return known; }
-    std::uint32_t known = 0;
-  };
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
-    auto points = point_sets::random_cube(200, 6, seed);
-    for (const std::uint32_t first : {0u, 1u, 3u, 100u, 200u}) {
-      Growing predicates(points);
-      predicates.known = first;
-      Delaunay3 triangulation(predicates);
-      triangulation.build();
-      predicates.known = static_cast<std::uint32_t>(points.size());
-      triangulation.extend(first);
-      CHECK(triangulation.verify() == "");
-      CHECK(point_sets::by_rank(triangulation.tet_mesh().vertices, point_sets::ranks(points)) ==
-            tets_by_rank(points));
-    }
+    const auto points = point_sets::random_cube(200, 6, seed);
+    for (const std::uint32_t first : {0u, 1u, 3u, 100u, 200u}) check_extend(points, first);
   }
+}
+
+TEST_CASE("a point whose cavity is all there is") {
+  auto points = point_sets::sphere(81);
+  const auto first = static_cast<std::uint32_t>(points.size());
+  REQUIRE(first > 100);
+  points.push_back(make_point({0, 0, 0}));
+  check_extend(points, first);
 }
 
 TEST_CASE("a grid is filled by cubes of five or six tetrahedra") {

@@ -266,6 +266,13 @@ TEST_CASE("one heavy site hides all inside the hull, heavy corners even those on
   const Outcome outcome = triangulate(sites);
   CHECK(outcome.vertices.size() == 216 - 64 + 1);  // the grid's surface and the heavy site
   CHECK(outcome.tets.size() == 6 * 25 * 2);
+  // Last of all, it hides 64 vertices at once.
+  const WeightedPredicates3 predicates(sites);
+  Regular3 in_order(predicates);
+  in_order.build_in_given_order();
+  CHECK(in_order.verify() == "");
+  CHECK(point_sets::by_rank(in_order.tet_mesh().vertices, point_sets::ranks(site_sets::positions(sites))) ==
+        outcome.tets);
   check_order_independent(sites);
   for (WeightedPoint& s : sites) s.weight = 0;
   for (const double x : {0, 5})
