@@ -22,23 +22,25 @@ namespace crossloft {
 /// rank counted from the lexicographically largest position down (perturbation.h): a function of the set of
 /// sites alone.
 ///
-/// A site above the lower hull is *hidden*: it is no vertex. One exactly on the hull is a vertex, whatever
-/// the ties: it would need all others of its cell to be of lower rank than itself, and it lies between them.
-/// Of sites of equal position the lowest counts, of equal height too the one of lowest index.
+/// A site above the lower hull is *hidden*: it is no vertex. One exactly on the hull is a vertex: it lies
+/// between others, one of which is raised by far more. Of sites of equal position the lowest counts, of equal
+/// height too the one of lowest index.
 ///
 ///     WeightedPredicates3 predicates(points);
 ///     Regular3 triangulation(predicates);
 ///     triangulation.build();
 ///     if (triangulation.dimension() == 3) TetMesh mesh = triangulation.tet_mesh();
 ///
-/// Expected time O(n log n) plus the tetrahedra made; 36 bytes a tetrahedron, 4 a site. Needs fewer than 2^30
-/// tetrahedra, hull facets included. One object is used by one thread; `P` must outlive it.
-/// Source: Edelsbrunner and Shah, Incremental topological flipping works for regular triangulations (1996),
-/// for hidden sites and the walk; the insertion itself is that of delaunay_core.h.
+/// Expected time O(n log n) plus the tetrahedra made; 36 bytes a tetrahedron, 12 a site. Needs fewer than
+/// 2^30 tetrahedra, hull facets included. One object is used by one thread; `P` must outlive it. Source:
+/// Edelsbrunner and Shah, Incremental topological flipping works for regular triangulations (1996), for
+/// hidden sites and the walk; the insertion itself is that of delaunay_core.h.
 template <PowerPredicates3 P>
 class Regular3 {
  public:
   explicit Regular3(const P& predicates) : predicates_(predicates), space_(predicates) {}
+  Regular3(const Regular3&) = delete;  // its parts refer to each other
+  Regular3& operator=(const Regular3&) = delete;
 
   /// Triangulates all sites. Call it once, or the next.
   void build() {
