@@ -1,7 +1,8 @@
 #include "svg.h"
 
+#include <algorithm>
 #include <charconv>
-#include <cmath>
+#include <utility>
 
 #include "curve_piece.h"
 
@@ -12,11 +13,16 @@ namespace {
 /// the circle of so flat an arc is lost.
 constexpr double kFlat = 1.0 / 256;
 
+std::string title_element(std::string_view title) {
+  return title.empty() ? std::string() : "<title>" + xml_escaped(title) + "</title>";
+}
+
 }  // namespace
 
 void append_pixels(std::string& text, double value) {
+  constexpr double kFarOff = 1e30;  // a number that no float can hold would not be SVG
   char digits[32];
-  const float rounded = static_cast<float>(value) + 0.0f;  // -0 becomes 0
+  const float rounded = static_cast<float>(std::clamp(value, -kFarOff, kFarOff)) + 0.0f;  // -0 becomes 0
   text.append(digits, std::to_chars(digits, digits + sizeof digits, rounded).ptr);
 }
 
@@ -115,14 +121,6 @@ void SvgWriter::close_group() {
   text_.append(2 * static_cast<std::size_t>(depth_), ' ');
   text_ += "</g>\n";
 }
-
-namespace {
-
-std::string title_element(std::string_view title) {
-  return title.empty() ? std::string() : "<title>" + xml_escaped(title) + "</title>";
-}
-
-}  // namespace
 
 void SvgWriter::path(const SvgPath& path, std::string_view attributes, std::string_view title) {
   begin("path");

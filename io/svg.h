@@ -41,8 +41,8 @@ class SvgPath {
 
   SvgPath& move(Vec2 to);
   SvgPath& line(Vec2 to);
-  /// A line or an arc of less than half a turn, from the present point, which is its beginning. An arc is drawn
-  /// as a line where no eye can tell.
+  /// A line or an arc of less than half a turn, from the present point, which is its beginning. An arc is
+  /// drawn as a line where no eye can tell.
   SvgPath& piece(const CurvePiece& piece);
   SvgPath& close();
 
@@ -87,7 +87,7 @@ class SvgWriter {
   int depth_ = 1;
 };
 
-/// Appends a number in pixels as the shortest decimal of the nearest float, never "-0".
+/// Appends a number in pixels as the shortest decimal of the nearest float, never "-0"; beyond 1e30 that.
 void append_pixels(std::string& text, double value);
 
 /// With & < > " as entities, and without control characters.

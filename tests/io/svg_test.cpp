@@ -32,6 +32,7 @@ TEST_CASE("numbers are the shortest that read back as floats") {
   CHECK(pixels(-0.0) == "0");
   CHECK(pixels(-1e-60) == "0");
   CHECK(pixels(123456) == "123456");
+  CHECK(pixels(-1e200) == "-1e+30");
 }
 
 TEST_CASE("path: lines, arcs by their ends, flat arcs as lines") {
