@@ -6,6 +6,7 @@
 #include "../io/write_sections.h"
 #include "../reconstruct/reconstruct.h"
 #include "arguments.h"
+#include "branching_drawings.h"
 #include "commands.h"
 #include "picture/picture.h"
 #include "picture/png_file.h"
@@ -17,7 +18,7 @@ namespace crossloft::cli {
 namespace {
 
 struct Arguments {
-  std::string input, surface, solid, report, sections, picture;
+  std::string input, surface, solid, report, sections, picture, drawings;
   std::string mode = "joint", branching = "auto";
   Options options;
   unsigned threads = 0;
@@ -36,7 +37,7 @@ Branching branching_named(const std::string& name) {
 
 /// The files that were asked for, one after the other; each appears whole or not at all.
 Result<Done> write_results(const Arguments& arguments, const Reconstruction& result, const Image& picture,
-                           const Context& context) {
+                           const BranchingDrawings& drawings, const Context& context) {
   Result<Done> written = write_surface(arguments.surface, result.surface, context);
   if (written && !arguments.solid.empty()) written = write_solid(arguments.solid, result.solid, context);
   if (written && !arguments.sections.empty()) {
@@ -48,6 +49,7 @@ Result<Done> write_results(const Arguments& arguments, const Reconstruction& res
   if (written && !arguments.picture.empty()) {
     written = write_png(arguments.picture, picture);
   }
+  if (written && !arguments.drawings.empty()) written = drawings.write(arguments.drawings);
   return written;
 }
 
@@ -60,17 +62,22 @@ ExitCode run(Arguments arguments) {
                                                        arguments.sections, arguments.picture});
       !outputs)
     return terminal.fail(outputs.error());
+  const bool draw = !arguments.drawings.empty();
+  if (draw)
+    if (auto folder = check_folder(arguments.drawings); !folder) return terminal.fail(folder.error());
   const auto sections = read_sections(arguments.input, context);
   if (!sections) return terminal.fail(sections.error());
-  const auto result = reconstruct(*sections, arguments.options, context);
+  BranchingDrawings drawings;
+  const auto result = reconstruct(*sections, arguments.options, context, draw ? &drawings : nullptr);
   if (!result) return terminal.fail(result.error());
   Image picture;
   if (!arguments.picture.empty()) picture = draw_picture(result->sections, result->surface);
   if (context.cancelled()) return terminal.fail(make_error(ErrorCode::cancelled, "interrupted"));
   ignore_interrupts();  // from here on the files appear, all of them
-  const auto written = write_results(arguments, *result, picture, context);
+  const auto written = write_results(arguments, *result, picture, drawings, context);
   if (!written) return terminal.fail(written.error());
   print_summary(terminal, result->report);
+  if (draw) terminal.print("drawings     %zu in %s\n", drawings.size(), arguments.drawings.c_str());
   return kGood;
 }
 
@@ -109,6 +116,8 @@ void add_reconstruct(CLI::App& program, ExitCode& outcome) {
       ->check(extension_in({".png"}));
   command->add_option("--dump-sections", a.sections, "also the sections as the solid meets them")
       ->check(is_sections_file());
+  command->add_option("--dump-branching", a.drawings,
+                      "also a drawing of each branching diagram into this folder: section, arcs, samples");
   command->add_option("--threads", a.threads, "worker threads, 0: one per core; the result is the same")
       ->capture_default_str()
       ->check(CLI::Range(0, 1024));

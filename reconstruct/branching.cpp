@@ -65,6 +65,7 @@ class BranchingCell::Sampler {
   void find_lacking();
   bool is_of_use(const Candidate& c) const;
   void take(std::size_t face, FaceBranching& out) const;
+  std::vector<Vec2> feet(const FaceBranching& face) const;
   bool stopped(std::size_t face, Vec2 a, double radius) const;
   bool keep(const Candidate& c, FaceState& state) const;
 
@@ -321,6 +322,16 @@ void BranchingCell::Sampler::collect_arcs() {
   }
 }
 
+std::vector<Vec2> BranchingCell::Sampler::feet(const FaceBranching& face) const {
+  std::vector<std::uint32_t> sites;
+  for (const FaceArc& arc : face.arcs) sites.insert(sites.end(), arc.sites.begin(), arc.sites.end());
+  std::sort(sites.begin(), sites.end());
+  sites.erase(std::unique(sites.begin(), sites.end()), sites.end());
+  std::vector<Vec2> feet;
+  for (const std::uint32_t v : sites) feet.push_back(face.frame.to_plane(vertices_.points[v]));
+  return feet;
+}
+
 CellBranching BranchingCell::Sampler::run() {
   collect_arcs();
   find_lacking();
@@ -332,6 +343,7 @@ CellBranching BranchingCell::Sampler::run() {
     face.side = cell_.faces_[f].side;
     face.frame = frames_[f];
     face.arcs = std::move(arcs_[f]);
+    face.sites = feet(face);
     take(f, face);
   }
   return result;

@@ -20,6 +20,7 @@ struct FaceBranching {
   std::size_t side = 0;       ///< 0: seen from the cell on the negative side of the plane, 1: positive
   FaceFrame frame;            ///< plane coordinates of the arcs
   std::vector<FaceArc> arcs;  ///< those that samples were looked for on
+  std::vector<Vec2> sites;    ///< feet of the vertices that the arcs are between
   std::vector<LatticePoint> samples;  ///< strictly inside the face and its section
 };
 

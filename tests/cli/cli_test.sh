@@ -108,6 +108,19 @@ expect 3 'bad_sites.txt:2: .x. stands where the y of a site' moebius bad_sites.t
 expect 3 'no_sites.txt.*no site' moebius no_sites.txt -o d3.svg
 absent d3.svg
 
+# Branching: drawings, their names, their folder
+figure="$source/examples/figures/fig17.contour"
+expect 0 'branching +7 samples on 1 faces' reconstruct "$figure" -o b.ply --dump-branching drawings/new --report b.json
+expect 0 'drawings +1 in drawings/new' reconstruct "$figure" -o b.ply --dump-branching drawings/new
+grep -q '<title>plane 0, face [0-9]*, seen from above: [0-9]* arcs, 7 samples</title>' drawings/new/plane0-face*-above.svg ||
+  { echo "FAILED: no drawing of the branching diagram"; failures=$((failures + 1)); }
+grep -q '"branching": "auto"' b.json || { echo "FAILED: the report does not name the branching"; failures=$((failures + 1)); }
+expect 0 'branching +0 samples' reconstruct "$figure" -o b.ply --branching off
+expect 0 '' reconstruct "$figure" -o b.ply --branching all --cutting
+expect 2 'not in' reconstruct "$figure" -o b.ply --branching some
+expect 3 'b.ply: cannot be written: it is not a folder' reconstruct "$figure" -o c.ply --dump-branching b.ply
+absent c.ply
+
 # Nothing to join: empty surface, told why
 printf "1\n$(section 0)" >one.contour
 expect 0 'warning' reconstruct one.contour -o one.ply
