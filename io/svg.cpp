@@ -79,6 +79,7 @@ SvgWriter::SvgWriter(const PageMap& map, std::string_view title) : map_(map) {
   text_ = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" +
           width + "\" height=\"" + height + "\" viewBox=\"0 0 " + width + ' ' + height + "\">\n";
   if (!title.empty()) text_ += "  <title>" + xml_escaped(title) + "</title>\n";
+  text_ += "  <rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n";  // dark viewers show nothing as black
 }
 
 void SvgWriter::begin(std::string_view name) {

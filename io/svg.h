@@ -60,7 +60,7 @@ class SvgPath {
 /// is, e.g. `fill="none"`; a title, if any, is escaped, and shown by browsers as the element's tooltip.
 class SvgWriter {
  public:
-  /// A page of the map's size; `title` names the drawing.
+  /// A white page of the map's size; `title` names the drawing.
   SvgWriter(const PageMap& map, std::string_view title);
 
   void open_group(std::string_view attributes);

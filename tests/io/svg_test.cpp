@@ -62,16 +62,17 @@ TEST_CASE("writer: elements nest, titles and text are escaped") {
   REQUIRE(document.well_formed);
   CHECK(document.root.title == "a < b & \"c\"");
   CHECK(document.root.attributes.at("viewBox") == "0 0 400 200");
-  REQUIRE(document.elements.size() == 3);
-  CHECK(document.elements[0].group == "inner");
-  CHECK(document.elements[0].title == "x > y");
-  CHECK(document.elements[0].number("cx") == 100);
-  CHECK(document.elements[0].attributes.at("fill") == "none");
-  CHECK(document.elements[1].group == "outer");
-  CHECK(document.elements[1].number("x") == 198);
-  CHECK(document.elements[1].number("width") == 4);
-  CHECK(document.elements[2].text == "<7>");
-  CHECK(document.elements[2].number("y") == -2);
+  REQUIRE(document.elements.size() == 4);
+  CHECK(document.elements[0].attributes.at("fill") == "#fff");  // the page
+  CHECK(document.elements[1].group == "inner");
+  CHECK(document.elements[1].title == "x > y");
+  CHECK(document.elements[1].number("cx") == 100);
+  CHECK(document.elements[1].attributes.at("fill") == "none");
+  CHECK(document.elements[2].group == "outer");
+  CHECK(document.elements[2].number("x") == 198);
+  CHECK(document.elements[2].number("width") == 4);
+  CHECK(document.elements[3].text == "<7>");
+  CHECK(document.elements[3].number("y") == -2);
 }
 
 TEST_CASE("escaping drops control characters and keeps the rest") {
