@@ -51,7 +51,7 @@ SectionMap section_map(const CellFace& face, const FaceFrame& frame, std::span<c
 /// What sampling the faces of one cell has in common.
 class BranchingCell::Sampler {
  public:
-  Sampler(const BranchingCell& cell, const CellTriangulation& triangulation);
+  Sampler(const BranchingCell& cell, const CellTriangulation& triangulation, bool draw_all);
   CellBranching run();
 
  private:
@@ -77,8 +77,10 @@ class BranchingCell::Sampler {
   std::vector<Box2> regions_;
   std::vector<double> spacing_;  ///< by vertex
   std::vector<std::array<std::uint32_t, 2>>
-      neighbours_;                             ///< pairs of vertices joined by a section's border, sorted
-  std::vector<std::uint64_t> with_section_;    ///< bits of faces, by word
+      neighbours_;                           ///< pairs of vertices joined by a section's border, sorted
+  std::vector<std::uint64_t> with_section_;  ///< bits of faces, by word
+  std::vector<std::uint64_t>
+      lacking_faces_;  ///< those of faces with a component that is bare or flat somewhere
   std::vector<std::vector<FaceArc>> arcs_;     ///< by face
   std::vector<std::vector<Candidate>> found_;  ///< by face
   std::vector<std::uint8_t> lacking_;  ///< by component: it is flat somewhere on its branching diagram
@@ -134,20 +136,32 @@ void BranchingCell::label_vertices() {
 
 void BranchingCell::find_bare() {
   bare_.assign(labels_.size(), 1);
+  flat_.assign(labels_.size(), 0);
   for (const CellFace& face : faces_)
     for (std::size_t t = 0; t < face.triangulation->triangles.size(); ++t) {
       if (face.triangulation->internal[t] == 0) continue;
-      if (face.covers(t)) bare_[label_of(face, t)] = 0;
-      flat_somewhere_ |= !face.covers(t) && !face.covered_behind(t);
+      const std::uint32_t label = label_of(face, t);
+      if (face.covers(t)) bare_[label] = 0;
+      if (!face.covers(t) && !face.covered_behind(t)) flat_[label] = 1;
     }
+}
+
+bool BranchingCell::lacks_on(std::size_t face) const {
+  const FaceTriangulation& triangulation = *faces_[face].triangulation;
+  for (std::size_t t = 0; t < triangulation.triangles.size(); ++t) {
+    if (triangulation.internal[t] == 0) continue;
+    const std::uint32_t label = label_of(faces_[face], t);
+    if (bare_[label] != 0 || flat_[label] != 0) return true;
+  }
+  return false;
 }
 
 bool BranchingCell::may_branch() const { return components_ > (options_.only_where_lacking() ? 2 : 0); }
 
 bool BranchingCell::lacks_something() const {
-  if (!options_.only_where_lacking() || flat_somewhere_) return true;
+  if (!options_.only_where_lacking()) return true;
   for (std::size_t v = 0; v < labels_.size(); ++v)
-    if (labels_[v] == v && bare_[v] != 0) return true;
+    if (labels_[v] == v && (bare_[v] != 0 || flat_[v] != 0)) return true;
   return false;
 }
 
@@ -160,17 +174,21 @@ std::vector<LatticePoint> distinct_samples(std::vector<LatticePoint> samples) {
   return samples;
 }
 
-BranchingCell::Sampler::Sampler(const BranchingCell& cell, const CellTriangulation& triangulation)
+BranchingCell::Sampler::Sampler(const BranchingCell& cell, const CellTriangulation& triangulation,
+                                bool draw_all)
     : cell_(cell), vertices_(triangulation.vertices()), mesh_(triangulation.mesh()) {
   const std::size_t face_count = cell.faces_.size();
   with_section_.assign(vertices_.words, 0);
+  lacking_faces_.assign(vertices_.words, 0);
   for (std::size_t f = 0; f < face_count; ++f) {
     const FaceId id = cell.ids_[f];
     frames_.emplace_back(cell.graph_.planes[cell.arrangement_.plane_of(id).value],
                          cell.faces_[f].side == 1 ? 1 : -1);
     maps_.push_back(section_map(cell.faces_[f], frames_[f], cell.points_));
     regions_.push_back(maps_[f].box());
-    if (!maps_[f].empty()) with_section_[f / 64] |= std::uint64_t{1} << (f % 64);
+    const std::uint64_t bit = std::uint64_t{1} << (f % 64);
+    if (!maps_[f].empty()) with_section_[f / 64] |= bit;
+    if (draw_all || cell.lacks_on(f)) lacking_faces_[f / 64] |= bit;
   }
   std::vector<double> length(vertices_.size(), 0);
   std::vector<std::uint32_t> count(vertices_.size(), 0);
@@ -186,11 +204,16 @@ BranchingCell::Sampler::Sampler(const BranchingCell& cell, const CellTriangulati
     spacing_.push_back(count[v] == 0 ? 0 : kSpacing * length[v] / count[v]);
 }
 
-/// Automatic: only where two section components meet; their own sections are told apart at the samples.
+/// Automatic: only where two section components meet and something may be lacking; that the section between
+/// them is a third one is seen at the samples.
 std::uint64_t BranchingCell::Sampler::wanted(std::uint32_t a, std::uint32_t b) const {
   const std::uint32_t la = cell_.labels_[a], lb = cell_.labels_[b];
   if (la == kNone || lb == kNone) return 0;
-  if (cell_.options_.mode == Branching::automatic) return la != lb ? with_section_[word_] : 0;
+  if (cell_.options_.mode == Branching::automatic) {
+    if (la == lb) return 0;
+    return cell_.bare_[la] != 0 || cell_.bare_[lb] != 0 ? with_section_[word_]
+                                                        : with_section_[word_] & lacking_faces_[word_];
+  }
   int shared = 0;  // all: neither both on one line of planes nor neighbours
   for (std::uint32_t w = 0; w < vertices_.words; ++w)
     shared += std::popcount(vertices_.mask(a, w) & vertices_.mask(b, w));
@@ -349,9 +372,9 @@ CellBranching BranchingCell::Sampler::run() {
   return result;
 }
 
-CellBranching BranchingCell::run(const CellTriangulation& triangulation) const {
+CellBranching BranchingCell::run(const CellTriangulation& triangulation, bool draw_all) const {
   const auto begin = std::chrono::steady_clock::now();
-  CellBranching result = Sampler(*this, triangulation).run();
+  CellBranching result = Sampler(*this, triangulation, draw_all).run();
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return result;
 }

@@ -44,13 +44,16 @@ class BranchingCell {
   /// Where only cells that lack something are looked at: whether the cell, pruned without samples, leaves a
   /// section component bare, or a part of one that is bare on its other side too. Else true.
   bool lacks_something() const;
-  /// REQUIRES: `triangulation` holds the vertices of the faces and has tetrahedra.
-  CellBranching run(const CellTriangulation& triangulation) const;
+  /// `draw_all`: also arcs on which, in mode automatic, no sample can be of use. REQUIRES: `triangulation`
+  /// holds the vertices of the faces and has tetrahedra.
+  CellBranching run(const CellTriangulation& triangulation, bool draw_all) const;
 
  private:
   class Sampler;
   void label_vertices();
   void find_bare();
+  /// Whether a section component on the face is bare, or flat somewhere.
+  bool lacks_on(std::size_t face) const;
   std::uint32_t label_of(const CellFace& face, std::size_t triangle) const {
     return labels_[local(face.numbers[face.triangulation->triangles[triangle][0]])];
   }
@@ -71,8 +74,8 @@ class BranchingCell {
   std::vector<std::uint32_t>
       labels_;  ///< in step: section component, kNone for a vertex of no internal triangle
   std::vector<std::uint8_t> bare_;  ///< by component: no triangle of it is covered in this cell
+  std::vector<std::uint8_t> flat_;  ///< by component: a triangle of it is covered in neither of its cells
   std::uint32_t components_ = 0;
-  bool flat_somewhere_ = false;  ///< an internal triangle is covered in neither of its cells
 };
 
 /// Sorted, without repetitions: both sides of a face may have chosen the same point.

@@ -94,7 +94,7 @@ Result<CellBranching> Pipeline::branch(CellId id, CellState& state) {
   if (!state.triangulation) state.triangulation = std::make_unique<CellTriangulation>(faces.size());
   if (auto done = state.triangulation->add(faces, numbering_.points); !done) return done.error();
   if (state.triangulation->dimension() < 3) return CellBranching{};
-  return cell.run(*state.triangulation);
+  return cell.run(*state.triangulation, observer_ != nullptr);
 }
 
 Result<Done> Pipeline::add_samples() {
