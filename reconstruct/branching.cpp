@@ -113,19 +113,22 @@ void BranchingCell::label_vertices() {
     while (parent[v] != v) v = parent[v] = parent[parent[v]];
     return v;
   };
-  for (const CellFace& face : faces_)
+  for (const CellFace& face : faces_) {
+    auto& local = local_.emplace_back();
+    for (const std::uint32_t number : face.numbers)
+      local.push_back(static_cast<std::uint32_t>(std::lower_bound(numbers_.begin(), numbers_.end(), number) -
+                                                 numbers_.begin()));
     for (std::size_t t = 0; t < face.triangulation->triangles.size(); ++t) {
       if (face.triangulation->internal[t] == 0) continue;
-      std::array<std::uint32_t, 3> v;
-      for (std::size_t i = 0; i < 3; ++i) {
-        v[i] = local(face.numbers[face.triangulation->triangles[t][i]]);
-        if (parent[v[i]] == kNone) parent[v[i]] = v[i];
-      }
+      const auto& v = face.triangulation->triangles[t];
+      for (const std::uint32_t corner : v)
+        if (parent[local[corner]] == kNone) parent[local[corner]] = local[corner];
       for (const std::uint32_t other : {v[1], v[2]}) {
-        const std::uint32_t a = root(v[0]), b = root(other);
+        const std::uint32_t a = root(local[v[0]]), b = root(local[other]);
         parent[std::max(a, b)] = std::min(a, b);
       }
     }
+  }
   labels_.assign(numbers_.size(), kNone);
   for (std::uint32_t v = 0; v < parent.size(); ++v)
     if (parent[v] != kNone) {
@@ -137,12 +140,14 @@ void BranchingCell::label_vertices() {
 void BranchingCell::find_bare() {
   bare_.assign(labels_.size(), 1);
   flat_.assign(labels_.size(), 0);
-  for (const CellFace& face : faces_)
-    for (std::size_t t = 0; t < face.triangulation->triangles.size(); ++t) {
-      if (face.triangulation->internal[t] == 0) continue;
-      const std::uint32_t label = label_of(face, t);
-      if (face.covers(t)) bare_[label] = 0;
-      if (!face.covers(t) && !face.covered_behind(t)) flat_[label] = 1;
+  for (std::size_t f = 0; f < faces_.size(); ++f)
+    for (std::size_t t = 0; t < faces_[f].triangulation->triangles.size(); ++t) {
+      if (faces_[f].triangulation->internal[t] == 0) continue;
+      const std::uint32_t label = label_of(f, t);
+      if (faces_[f].covers(t))
+        bare_[label] = 0;
+      else if (!faces_[f].covered_behind(t))
+        flat_[label] = 1;
     }
 }
 
@@ -150,7 +155,7 @@ bool BranchingCell::lacks_on(std::size_t face) const {
   const FaceTriangulation& triangulation = *faces_[face].triangulation;
   for (std::size_t t = 0; t < triangulation.triangles.size(); ++t) {
     if (triangulation.internal[t] == 0) continue;
-    const std::uint32_t label = label_of(faces_[face], t);
+    const std::uint32_t label = label_of(face, t);
     if (bare_[label] != 0 || flat_[label] != 0) return true;
   }
   return false;
@@ -194,8 +199,7 @@ BranchingCell::Sampler::Sampler(const BranchingCell& cell, const CellTriangulati
   std::vector<std::uint32_t> count(vertices_.size(), 0);
   for (std::size_t f = 0; f < face_count; ++f)
     maps_[f].for_each_border_edge([&](std::uint32_t p, std::uint32_t q, double edge) {
-      const auto& numbers = cell.faces_[f].numbers;
-      const std::uint32_t a = cell.local(numbers[p]), b = cell.local(numbers[q]);
+      const std::uint32_t a = cell.local_[f][p], b = cell.local_[f][q];
       neighbours_.push_back({std::min(a, b), std::max(a, b)});
       for (const std::uint32_t v : {a, b}) length[v] += edge, ++count[v];
     });
@@ -285,7 +289,7 @@ void BranchingCell::Sampler::add_candidates(std::size_t face, std::span<const Fa
     for (const Vec2 a : points) {
       const std::uint32_t triangle = maps_[face].triangle_at(a);
       if (triangle == kNone) continue;
-      const std::uint32_t own = cell_.label_of(cell_.faces_[face], triangle);
+      const std::uint32_t own = cell_.label_of(face, triangle);
       const Candidate c{a, triangle, spacing, {own, cell_.labels_[i], cell_.labels_[j]}, !automatic};
       if (automatic && (own == c.labels[1] || own == c.labels[2])) continue;
       if (!stopped(face, a, tangent_radius(diagrams.site(i, in_word), a))) found_[face].push_back(c);

@@ -2,7 +2,6 @@
 /// Samples of the branching and cutting diagrams of one cell (paper, section 2): points inside sections where
 /// the reconstruction changes over from one neighbour to another.
 
-#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -54,13 +53,9 @@ class BranchingCell {
   void find_bare();
   /// Whether a section component on the face is bare, or flat somewhere.
   bool lacks_on(std::size_t face) const;
-  std::uint32_t label_of(const CellFace& face, std::size_t triangle) const {
-    return labels_[local(face.numbers[face.triangulation->triangles[triangle][0]])];
-  }
-  /// Position of a vertex number in the cell.
-  std::uint32_t local(std::uint32_t number) const {
-    return static_cast<std::uint32_t>(std::lower_bound(numbers_.begin(), numbers_.end(), number) -
-                                      numbers_.begin());
+  /// Component of an internal triangle.
+  std::uint32_t label_of(std::size_t face, std::size_t triangle) const {
+    return labels_[local_[face][faces_[face].triangulation->triangles[triangle][0]]];
   }
 
   const SectionGraph& graph_;
@@ -70,7 +65,8 @@ class BranchingCell {
   std::span<const CellFace> faces_;
   std::span<const LatticePoint> points_;
   BranchingOptions options_;
-  std::vector<std::uint32_t> numbers_;  ///< of the cell's vertices, ascending
+  std::vector<std::uint32_t> numbers_;             ///< of the cell's vertices, ascending
+  std::vector<std::vector<std::uint32_t>> local_;  ///< by face and its local vertex: position in numbers_
   std::vector<std::uint32_t>
       labels_;  ///< in step: section component, kNone for a vertex of no internal triangle
   std::vector<std::uint8_t> bare_;  ///< by component: no triangle of it is covered in this cell
