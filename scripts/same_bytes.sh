@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The same bytes from g++ -O3, g++ -O0 with verify() on, and clang++: surfaces, solids and sections of every
-# example. Expects build/release; builds the other two. Where it matters: -O3 is where a value-changing
+# The same bytes from g++ -O3, g++ -O0 with verify() on, and clang++: surfaces, solids, sections and branching
+# diagrams of every example, the latter with all samples, and a Moebius diagram. Expects build/release; builds the other two. Where it matters: -O3 is where a value-changing
 # transformation would show, another compiler is where an unspecified order of evaluation would.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -19,7 +19,10 @@ for name in release dev clang; do
     target=$scratch/$name/$(basename "$input" .contour)
     build/$name/crossloft reconstruct "$input" --quiet -o "$target.ply" --solid "$target.vtu" \
       --dump-sections "$target.contour" >/dev/null
+    build/$name/crossloft reconstruct "$input" --quiet --branching all --cutting -o "$target.all.ply" \
+      --dump-branching "$target.svg" >/dev/null
   done
+  build/$name/crossloft moebius examples/sites.txt -o "$scratch/$name/sites.svg" >/dev/null
 done
 for name in dev clang; do diff -rq "$scratch/release" "$scratch/$name"; done
-echo "same bytes from g++ -O3, g++ -O0 and clang++: $(ls "$scratch/release" | wc -l) files each"
+echo "same bytes from g++ -O3, g++ -O0 and clang++: $(find "$scratch/release" -type f | wc -l) files each"
