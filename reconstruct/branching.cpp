@@ -31,6 +31,20 @@ struct Candidate {
   bool always = false;                    ///< of use wherever it is
 };
 
+/// Puts first the candidates where three or more components meet: there the section comes apart three ways,
+/// and a sample beside the place would serve two of them. Arcs that meet end at the same bits.
+void junctions_first(std::vector<Candidate>& candidates) {
+  std::vector<std::pair<Vec2, std::uint32_t>> met;  // place, component that comes there
+  for (const Candidate& c : candidates)
+    for (const std::uint32_t label : {c.labels[1], c.labels[2]}) met.emplace_back(c.at, label);
+  std::sort(met.begin(), met.end());
+  met.erase(std::unique(met.begin(), met.end()), met.end());
+  std::stable_partition(candidates.begin(), candidates.end(), [&](const Candidate& c) {
+    const auto at = std::lower_bound(met.begin(), met.end(), std::pair{c.at, std::uint32_t{0}});
+    return met.end() - at > 2 && (at + 2)->first == c.at;
+  });
+}
+
 /// A face while its samples are chosen.
 struct FaceState {
   std::size_t face;  ///< of the cell
@@ -319,7 +333,9 @@ void BranchingCell::Sampler::take(std::size_t face, FaceBranching& out) const {
                   cell_.locators_[cell_.arrangement_.plane_of(out.face).value],
                   {},
                   out.samples};
-  for (const Candidate& c : found_[face])
+  std::vector<Candidate> candidates = found_[face];
+  junctions_first(candidates);
+  for (const Candidate& c : candidates)
     if (is_of_use(c)) keep(c, state);
 }
 
