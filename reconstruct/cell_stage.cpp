@@ -69,9 +69,19 @@ Result<Done> Pipeline::prune_cell(CellId id, CellState& state) {
       std::array<std::uint32_t, 4>& tet = state.tets.emplace_back();
       for (std::size_t i = 0; i < 4; ++i) tet[i] = cell.vertices[cell.complex.mesh.vertices[t][i]];
     }
-  if (!is_somewhere_bare(faces) || options_.branching.mode == Branching::off) state.triangulation.reset();
+  if (!may_take_samples(ids, faces)) state.triangulation.reset();
   if (observer_) state.built = std::move(cell), state.pruned = std::move(pruned);
   return Done{};
+}
+
+/// Whether samples may be wanted in a cell that has been pruned; what its other
+/// sides cover is not known yet.
+bool Pipeline::may_take_samples(std::span<const FaceId> ids, std::span<const CellFace> faces) const {
+  const BranchingOptions& wanted = options_.branching;
+  if (wanted.mode == Branching::off && !wanted.cutting) return false;
+  if (wanted.only_where_lacking() && !is_somewhere_bare(faces)) return false;
+  return BranchingCell(graph_, *arrangement_, locators_, ids, faces, numbering_.points, options_.branching)
+      .may_branch();
 }
 
 Result<Done> Pipeline::prune_due_cells() {
@@ -121,7 +131,9 @@ Result<Done> Pipeline::add_samples() {
       for (const CellId c : arrangement_->cells_of(FaceId{f})) cells_[c.value].due = true;
   for (CellState& cell : cells_)
     if (!cell.due) cell.triangulation.reset();
-  return refine_faces(samples);
+  const bool none =
+      std::all_of(samples.begin(), samples.end(), [](const auto& list) { return list.empty(); });
+  return none ? Result<Done>(Done{}) : refine_faces(samples);
 }
 
 /// Without samples first: automatic branching looks at what that leaves bare.

@@ -78,6 +78,7 @@ class Pipeline {
   Result<Done> prune_cell(CellId id, CellState& state);
   void cover(std::span<const CellFace> faces, std::span<const FaceId> ids, const BuiltCell& cell,
              const PruneResult& pruned);
+  bool may_take_samples(std::span<const FaceId> ids, std::span<const CellFace> faces) const;
   Result<Done> add_samples();
   Result<CellBranching> branch(CellId id, CellState& state);
   void finish_cells();
