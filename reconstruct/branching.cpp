@@ -21,6 +21,9 @@ constexpr double kSpacing = 2;
 /// Distance of samples from the section's border, in the same edges: nearer ones would break up contour
 /// edges.
 constexpr double kClearance = 0.5;
+/// Least distance between samples, in diagonals of the section's box: between sections that are tiny against
+/// the one that branches, the edges alone would ask for any number of samples.
+constexpr double kLeastSpacing = 1.0 / 256;
 
 /// A point that may become a sample.
 struct Candidate {
@@ -293,11 +296,13 @@ void BranchingCell::Sampler::add_candidates(std::size_t face, std::span<const Fa
                                             const CellDiagrams& diagrams, bool cutting) {
   const auto in_word = static_cast<std::uint32_t>(face % 64);
   const bool automatic = cell_.options_.mode == Branching::automatic && !cutting;
+  const Vec2 diagonal = maps_[face].box().high - maps_[face].box().low;
+  const double least = kLeastSpacing * std::sqrt(dot(diagonal, diagonal));
   std::vector<Vec2> points;
   for (const FaceArc& arc : arcs) {
     const auto& [i, j] = arc.sites;
-    const double spacing = std::max(spacing_[i], spacing_[j]);
-    if (!(spacing > 0)) continue;
+    if (!(std::max(spacing_[i], spacing_[j]) > 0)) continue;
+    const double spacing = std::max({spacing_[i], spacing_[j], least});
     points.clear();
     sample_arc(arc, spacing / 2, maps_[face].box(), points);
     for (const Vec2 a : points) {

@@ -70,7 +70,9 @@ SectionMap::SectionMap(const FaceTriangulation& face, std::vector<Vec2> points, 
 }
 
 std::uint32_t SectionMap::strip_of(double y) const {
-  return static_cast<std::uint32_t>(std::clamp((y - box_.low.y) * per_height_, 0.0, strip_count_ - 1.0));
+  const double strip = (y - box_.low.y) * per_height_;
+  if (!(strip > 0)) return 0;  // also where y has overflowed
+  return static_cast<std::uint32_t>(std::min(strip, strip_count_ - 1.0));
 }
 
 template <class Range>

@@ -148,6 +148,21 @@ TEST_CASE("noise does not matter: one circle under four, joined to all of them")
   }
 }
 
+TEST_CASE("sections tiny against the one that branches to them: few samples, all joined") {
+  for (const double r : {1e-3, 1e-6, 1e-9}) {
+    CAPTURE(r);
+    const Sections sections{"", {row(0, {0.1}, true, 1, 40), row(1, {-0.5, 0.5}, true, r, 8)}};
+    for (const Branching mode : {Branching::automatic, Branching::all}) {
+      const auto result = reconstruct(sections, with(mode));
+      REQUIRE(result.ok());
+      CHECK(result->report.branching_samples > 0);
+      CHECK(result->report.branching_samples < 1000);
+      CHECK(result->report.flat_regions == 0);
+      check_sound(*result);
+    }
+  }
+}
+
 TEST_CASE("random small scenes with every sample there is: the promises hold") {
   const std::uint64_t seed = 5;
   CAPTURE(seed);
