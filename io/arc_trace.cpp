@@ -1,6 +1,7 @@
 #include "arc_trace.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace crossloft {
 namespace {
@@ -66,6 +67,15 @@ std::vector<CurvePiece> trace_line(const ArcShape& arc, const ViewBox& box) {
   return {segment(from, to)};
 }
 
+/// Squares stay finite. Larger numbers, infinities and NaN are what is left of a curve that went beyond the
+/// range of doubles (diagram.h).
+bool is_lost(const ArcShape& arc) {
+  constexpr double kMost = 1e150;
+  const auto fits = [](Vec2 p) { return std::abs(p.x) <= kMost && std::abs(p.y) <= kMost; };
+  return !fits(arc.curve.centre) || !fits(arc.curve.direction) || !(arc.curve.radius <= kMost) ||
+         !fits(arc.from.value_or(Vec2{})) || !fits(arc.to.value_or(Vec2{}));
+}
+
 }  // namespace
 
 ArcShape shape_of(const MoebiusDiagram& diagram, const MoebiusArc& arc) {
@@ -84,6 +94,7 @@ ArcShape shape_of(const FaceArc& arc) {
 }
 
 std::vector<CurvePiece> trace(const ArcShape& arc, const ViewBox& box) {
+  if (is_lost(arc)) return {};
   return arc.curve.is_line ? trace_line(arc, box) : trace_circle(arc, box);
 }
 

@@ -24,6 +24,7 @@ ArcShape shape_of(const FaceArc& arc);
 
 /// The pieces of the arc in the direction of its walk. Ends at infinity become points outside the box, which
 /// the line does not meet beyond them. In the box the pieces are as precise as the ends, whatever the radius.
+/// None for an arc that is not finite, as those are whose computation left the range of doubles.
 std::vector<CurvePiece> trace(const ArcShape& arc, const ViewBox& box);
 
 }  // namespace crossloft

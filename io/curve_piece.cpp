@@ -41,6 +41,19 @@ Vec2 far_middle(const CurvePiece& arc) {
   return arc.centre + (arc.radius / std::sqrt(dot(direction, direction))) * direction;
 }
 
+std::array<CurvePiece, 2> split(const CurvePiece& piece, Vec2 at) {
+  std::array<CurvePiece, 2> parts{piece, piece};
+  parts[0].to = parts[1].from = at;
+  return parts;
+}
+
+/// Appends an arc of at most half a turn, halved if it is over a third.
+void append_half(const CurvePiece& arc, std::vector<CurvePiece>& pieces) {
+  const double third = -0.5 * arc.radius * arc.radius;  // |a||b| cos 120 degrees
+  if (dot(arc.from - arc.centre, arc.to - arc.centre) >= third) return pieces.push_back(arc);
+  for (const CurvePiece& half : split(arc, middle(arc))) pieces.push_back(half);
+}
+
 /// For a point of the circle: whether it is on the piece, between the directions of its ends and not opposite
 /// to them.
 bool is_on_arc(const CurvePiece& piece, Vec2 point) {
@@ -99,8 +112,8 @@ Vec2 middle(const CurvePiece& piece) {
   const double r = piece.radius, square = dot(half, half);
   if (piece.is_line || !(square > 0)) return on_chord;
   // The height over the chord is r - sqrt(r^2 - h^2) for half a chord h; written as a quotient nothing
-  // cancels.
-  const double height = square / (r + std::sqrt(std::max(r * r - square, 0.0)));
+  // cancels. It is at most r also where rounding has put the ends too far apart.
+  const double height = std::min(r, square / (r + std::sqrt(std::max(r * r - square, 0.0))));
   const double scale = (piece.ccw ? height : -height) / std::sqrt(square);
   return on_chord + Vec2{scale * half.y, -scale * half.x};
 }
@@ -123,12 +136,10 @@ ViewBox bounds_of(std::span<const CurvePiece> pieces) {
 }
 
 void append_arc(const CurvePiece& arc, bool over_half, std::vector<CurvePiece>& pieces) {
-  const double third = -0.5 * arc.radius * arc.radius;  // |a||b| cos 120 degrees
-  if (!over_half && dot(arc.from - arc.centre, arc.to - arc.centre) >= third) return pieces.push_back(arc);
-  CurvePiece first = arc, second = arc;
-  first.to = second.from = over_half ? far_middle(arc) : middle(arc);
-  append_arc(first, false, pieces);
-  append_arc(second, false, pieces);
+  if (!over_half) return append_half(arc, pieces);
+  const auto [first, second] = split(arc, far_middle(arc));
+  append_half(first, pieces);
+  append_half(second, pieces);
 }
 
 void append_circle(Vec2 centre, double radius, bool ccw, std::vector<CurvePiece>& pieces) {

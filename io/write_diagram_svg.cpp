@@ -55,7 +55,9 @@ ViewBox box_of(const MoebiusDiagram& diagram) {
   }
   for (const MoebiusArc& arc : diagram.arcs) {
     if (arc.curve.is_line) continue;
-    const ViewBox around = bounds_of(trace(shape_of(diagram, arc), near));
+    const std::vector<CurvePiece> pieces = trace(shape_of(diagram, arc), near);
+    if (pieces.empty()) continue;
+    const ViewBox around = bounds_of(pieces);
     if (contains(near, around) || is_whole_and_near(arc, sites)) box = joined(box, around);
   }
   return box;

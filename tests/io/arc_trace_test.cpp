@@ -1,6 +1,7 @@
 #include "../../io/arc_trace.h"
 
 #include <cmath>
+#include <limits>
 
 #include <doctest/doctest.h>
 
@@ -41,6 +42,24 @@ TEST_CASE("circles of any size pass the box where they should") {
     if (radius > 5) CHECK(seen.low.x == 0);
     if (radius > 5) CHECK(seen.high.x == 4);
     for (std::size_t i = 1; i < pieces.size(); ++i) CHECK(pieces[i].from == pieces[i - 1].to);
+  }
+}
+
+TEST_CASE("arcs whose numbers are lost have no pieces, ends off the circle do no harm") {
+  const double infinity = std::numeric_limits<double>::infinity(),
+               nan = std::numeric_limits<double>::quiet_NaN();
+  const Vec2 end{1, 1};
+  for (const double lost : {infinity, -infinity, nan, 1e200}) {
+    CHECK(trace({{false, {0, 0}, std::abs(lost), {}}, true, false, end, end}, kBox).empty());
+    CHECK(trace({{false, {lost, 0}, 1, {}}, true, false, end, end}, kBox).empty());
+    CHECK(trace({{false, {0, 0}, 1, {}}, true, false, Vec2{0, lost}, end}, kBox).empty());
+    CHECK(trace({line({lost, 0}, {1, 0}), false, false, end, {}}, kBox).empty());
+    CHECK(trace({line({0, 0}, {1, lost}), false, false, end, {}}, kBox).empty());
+  }
+  for (const double radius : {1e-3, 1e7}) {
+    const MoebiusCurve circle{false, {0, 0}, radius, {}};
+    for (const bool over_half : {false, true})
+      CHECK(!trace({circle, true, over_half, Vec2{-1e12, 1}, Vec2{1e12, 1}}, kBox).empty());
   }
 }
 

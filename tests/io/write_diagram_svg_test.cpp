@@ -241,3 +241,17 @@ TEST_CASE("random diagrams: the nearest site fills each point, every arc is ther
     }
   }
 }
+
+TEST_CASE("curves beyond the range of doubles are left out") {
+  for (const double size : {1e-200, 1e80, 1e200}) {
+    CAPTURE(size);
+    std::vector<MoebiusSite> sites{{{1, 0}, 1, 0}, {{0, 1}, 2, 0}, {{3, 1}, 3, 0}, {{1, 1}, 1.5, 0}};
+    for (MoebiusSite& site : sites) site.p = size * site.p;
+    const auto diagram = moebius_diagram(sites);
+    REQUIRE(diagram.ok());
+    const auto text = format_diagram_svg(*diagram);
+    REQUIRE(text.ok());
+    CHECK(text->find("nan") == std::string::npos);
+    CHECK(text->find("inf") == std::string::npos);
+  }
+}
