@@ -233,7 +233,7 @@ std::vector<std::uint32_t> pieces_in_section(std::span<const NumberedSite> sites
                                              std::span<const FaceArc> arcs,
                                              std::span<const DirectedWall> walls) {
   std::vector<std::uint32_t> pieces(sites.size());
-  if (walls.empty()) return pieces;
+  if (walls.empty() || sites.empty()) return pieces;
   SectionOverlay overlay(sites, arcs, walls);
   overlay.build();
   for (std::size_t k = 0; k < sites.size(); ++k) pieces[k] = overlay.pieces_of(sites[k].vertex);
@@ -244,7 +244,7 @@ std::vector<std::uint32_t> cutting_arcs(std::span<const NumberedSite> sites, std
                                         std::span<const DirectedWall> walls,
                                         std::span<const std::array<std::uint32_t, 2>> neighbours) {
   std::vector<std::uint32_t> cutting;
-  if (walls.empty() || arcs.empty()) return cutting;
+  if (walls.empty() || arcs.empty() || sites.empty()) return cutting;
   SectionOverlay overlay(sites, arcs, walls);
   overlay.build();
   for (std::uint32_t a = 0; a < arcs.size(); ++a) {

@@ -93,6 +93,18 @@ void check_pieces(const Cell& cell, std::uint32_t face, const std::vector<Direct
   CHECK(different <= compared / 25);
 }
 
+/// Two parallel planes; over the lower one a cell between four others.
+Cell five_over_three() {
+  Cell cell = cell_of({make_axis_plane(2, -100), make_axis_plane(2, 100)});
+  for (const LatticeVector& v :
+       {LatticeVector{0, 0, 100}, {400, 10, 100}, {-390, 20, 100}, {10, 410, 100}, {0, -395, 100}})
+    cell.add(make_point(v));
+  for (const LatticeVector& v : {LatticeVector{900, 900, -100}, {-900, 800, -100}, {0, -900, -100}})
+    cell.add(make_point(v));
+  cell.finish();
+  return cell;
+}
+
 }  // namespace
 
 TEST_CASE("pieces of cells in a ring, a cross and two squares") {
@@ -123,13 +135,7 @@ TEST_CASE("pieces of cells in a ring, a cross and two squares") {
 }
 
 TEST_CASE("a section within one cell, and one that has a cell in it") {
-  Cell cell = cell_of({make_axis_plane(2, -100), make_axis_plane(2, 100)});
-  for (const LatticeVector& v :
-       {LatticeVector{0, 0, 100}, {400, 10, 100}, {-390, 20, 100}, {10, 410, 100}, {0, -395, 100}})
-    cell.add(make_point(v));
-  for (const LatticeVector& v : {LatticeVector{900, 900, -100}, {-900, 800, -100}, {0, -900, -100}})
-    cell.add(make_point(v));
-  cell.finish();
+  const Cell cell = five_over_three();
   const auto sites = numbered(sites_of(cell, 0));
   const auto arcs = all_arcs(cell)[0];
   const auto pieces = [&](const std::vector<std::vector<Vec2>>& section) {
@@ -142,16 +148,11 @@ TEST_CASE("a section within one cell, and one that has a cell in it") {
   CHECK(pieces({circle(600, 40, false), circle(500, 40, true)}) == Counts{0, 1, 1, 1, 1});
   CHECK(pieces({circle(600, 40, false), circle(230, 40, true)}) == Counts{4, 1, 1, 1, 1});
   CHECK(pieces({}) == Counts{0, 0, 0, 0, 0});
+  CHECK(pieces_in_section({}, {}, walls_of({circle(50, 12, false)})).empty());
 }
 
 TEST_CASE("cutting arcs: between a connected cell and its neighbour that is not") {
-  Cell cell = cell_of({make_axis_plane(2, -100), make_axis_plane(2, 100)});
-  for (const LatticeVector& v :
-       {LatticeVector{0, 0, 100}, {400, 10, 100}, {-390, 20, 100}, {10, 410, 100}, {0, -395, 100}})
-    cell.add(make_point(v));
-  for (const LatticeVector& v : {LatticeVector{900, 900, -100}, {-900, 800, -100}, {0, -900, -100}})
-    cell.add(make_point(v));
-  cell.finish();
+  const Cell cell = five_over_three();
   const auto sites = numbered(sites_of(cell, 0));
   const auto arcs = all_arcs(cell)[0];
   // The cell of vertex 0 is cut in four by the hole, those of 1 to 4 are connected.
