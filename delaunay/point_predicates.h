@@ -11,12 +11,11 @@
 namespace crossloft {
 
 /// Points 0..size()-1 in space. Conventions of geom/lattice.h:
-///   coordinate(i, axis)      rounded, equal for equal points; used for ordering only, decides nothing;
-///   orient3d(a, b, c, d)     sign of det(b-a, c-a, d-a);
-///   insphere(a, b, c, d, e)  +1 if e is inside the sphere of a, b, c, d when orient3d(a, b, c, d) > 0;
-///   collinear(a, b, c)       true iff the three points lie on one line (asked only until the first
-///   tetrahedron); compare_lex(a, b)        sign of the exact lexicographic order, 0 iff the points are
-///   equal.
+/// - coordinate(i, axis): rounded, equal for equal points; used for ordering only, decides nothing;
+/// - orient3d(a, b, c, d): sign of det(b-a, c-a, d-a);
+/// - insphere(a, b, c, d, e): +1 if e is inside the sphere of a, b, c, d when orient3d(a, b, c, d) > 0;
+/// - collinear(a, b, c): true iff the three points lie on one line; asked only until the first tetrahedron;
+/// - compare_lex(a, b): sign of the exact lexicographic order, 0 iff the points are equal.
 template <class P>
 concept PointPredicates3 = requires(const P& p, std::uint32_t i, int axis) {
   { p.size() } -> std::convertible_to<std::uint32_t>;
@@ -28,12 +27,12 @@ concept PointPredicates3 = requires(const P& p, std::uint32_t i, int axis) {
 };
 
 /// Points 0..size()-1 of one oriented plane; the object may grow while a triangulation uses it.
-///   coordinate(i, axis)      rounded coordinates, axis 0 or 1, in any affine frame of the plane: ordering
-///   only; orient2d(a, b, c)        +1 if counter-clockwise; incircle(a, b, c, d)     +1 if d is inside the
-///   circle of a, b, c when orient2d(a, b, c) > 0; compare_lex(a, b)        the rank of the perturbation, 0
-///   iff the points are equal. For a plane in space
-///                            this is the lexicographic order in space: then the triangulation equals the
-///                            hull facets on that plane of every Delaunay triangulation in space.
+/// - coordinate(i, axis): rounded coordinates, axis 0 or 1, in any affine frame of the plane: ordering only;
+/// - orient2d(a, b, c): +1 if counter-clockwise;
+/// - incircle(a, b, c, d): +1 if d is inside the circle of a, b, c when orient2d(a, b, c) > 0;
+/// - compare_lex(a, b): the rank of the perturbation, 0 iff the points are equal. For a plane in space this
+///   is the lexicographic order in space: then the triangulation equals the hull facets on that plane of
+///   every Delaunay triangulation in space.
 template <class P>
 concept PointPredicates2 = requires(const P& p, std::uint32_t i, int axis) {
   { p.size() } -> std::convertible_to<std::uint32_t>;
@@ -47,23 +46,21 @@ concept PointPredicates2 = requires(const P& p, std::uint32_t i, int axis) {
 /// (position, height) is made from. For weighted points the height is |x|^2 - w; nothing here assumes so: any
 /// rows (X, Y, Z, H) will do, as those of a diagram whose sites became linear functions. Adding a linear
 /// function of the position to all heights changes no answer.
-///   coordinate(i, axis)      of the position; rounded, equal for equal ones; used for ordering only;
-///   orient3d(a, b, c, d)     sign of det(b-a, c-a, d-a) of the positions;
-///   power_test(a, b, c, d, e)  +1 if lifted e is strictly below the hyperplane through the lifted a, b, c,
-///   d, 0 on
-///                            it, when orient3d(a, b, c, d) > 0; the sign flips with the orientation;
-///   compare_lex(a, b)        of the positions alone, 0 iff they are equal;
-///   compare_height(a, b)     -1 if a is lower. Asked for sites of equal position only.
+/// - coordinate(i, axis): of the position; rounded, equal for equal ones; used for ordering only;
+/// - orient3d(a, b, c, d): sign of det(b-a, c-a, d-a) of the positions;
+/// - power_test(a, b, c, d, e): +1 if lifted e is strictly below the hyperplane through the lifted a, b, c,
+///   d, 0 on it, when orient3d(a, b, c, d) > 0; the sign flips with the orientation;
+/// - compare_lex(a, b): of the positions alone, 0 iff they are equal;
+/// - compare_height(a, b): -1 if a is lower. Asked for sites of equal position only.
+///
 /// And where all positions are on one plane or line, all of which is still exact:
-///   orient2d(a, b, c, drop)  of the projection along axis `drop`: +1 if counter-clockwise, with the axes
-///                            (drop + 1) % 3 and (drop + 2) % 3 in this order;
-///   power_test2d(a, b, c, d, drop)  +1 if lifted d is strictly below the plane through the lifted a, b, c,
-///   when
-///                            orient2d(a, b, c, drop) > 0; the sign flips with the orientation. Asked for
-///                            coplanar positions only, with an axis that keeps the plane a plane;
-///   power_test1d(a, b, c)    +1 if lifted c is strictly below the line through the lifted a and b, whatever
-///   their
-///                            order. Asked for collinear positions only, those of a and b different.
+/// - orient2d(a, b, c, drop): of the projection along axis `drop`, +1 if counter-clockwise, with the axes
+///   (drop + 1) % 3 and (drop + 2) % 3 in this order; asked for any three sites too;
+/// - power_test2d(a, b, c, d, drop): +1 if lifted d is strictly below the plane through the lifted a, b, c,
+///   when orient2d(a, b, c, drop) > 0; the sign flips with the orientation. Asked for coplanar positions
+///   only, with an axis that keeps the plane a plane;
+/// - power_test1d(a, b, c): +1 if lifted c is strictly below the line through the lifted a and b, whatever
+///   their order. Asked for collinear positions only, those of a and b different.
 template <class P>
 concept PowerPredicates3 = requires(const P& p, std::uint32_t i, int axis) {
   { p.size() } -> std::convertible_to<std::uint32_t>;
@@ -78,7 +75,7 @@ concept PowerPredicates3 = requires(const P& p, std::uint32_t i, int axis) {
 };
 
 /// PointPredicates2 that also measures: what conforming edge recovery needs to place its splits.
-///   squared_distance(a, b)   Euclidean, rounded, symmetric in a and b.
+/// - squared_distance(a, b): Euclidean, rounded, symmetric in a and b.
 template <class P>
 concept MetricPredicates2 = PointPredicates2<P> && requires(const P& p, std::uint32_t i) {
   { p.squared_distance(i, i) } -> std::convertible_to<double>;

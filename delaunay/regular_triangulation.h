@@ -23,7 +23,7 @@ struct RegularTriangulation {
 
 /// The regular triangulation of the points, exact for all finite doubles. Stores them in insertion_order for
 /// the while, which makes it faster than Regular3 on points in no particular order. Besides the result, 36
-/// bytes a tetrahedron and 40 a point. REQUIRES: finite coordinates and weights.
+/// bytes a tetrahedron and 52 a point. REQUIRES: finite coordinates and weights.
 RegularTriangulation regular_triangulation(std::span<const WeightedPoint> points);
 
 }  // namespace crossloft
