@@ -101,7 +101,7 @@ class CellDiagrams {
 
   const FaceFrame& frame(std::uint32_t face) const { return sites_.faces[64 * std::size_t{word_} + face]; }
   const Box2& region(std::uint32_t face) const { return sites_.regions[64 * std::size_t{word_} + face]; }
-  Vec3 point(std::uint32_t v) const { return to_vec3(sites_.points[v]); }
+  Vec3 point(std::uint32_t v) const { return real(sites_.points[v]); }
   double height(std::uint32_t v, std::uint32_t face) const {
     return heights_[std::size_t{v} * face_count_ + face];
   }

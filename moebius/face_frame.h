@@ -1,16 +1,12 @@
 #pragma once
 /// A face of a convex cell seen as the plane of a diagram: orthonormal axes, feet and heights in doubles.
 
-#include <span>
-
 #include "../geom/lattice.h"
+#include "../geom/lattice_rounding.h"
 #include "../geom/vec2.h"
 #include "../geom/vec3.h"
 
 namespace crossloft {
-
-/// Rounded coordinates of a lattice point.
-inline Vec3 to_vec3(const LatticePoint& p) { return {p.x, p.y, p.z}; }
 
 /// Axes of a plane, lattice units: x, y along it, the third towards the cell, right-handed.
 /// Only + - * / sqrt: the same bits everywhere.
@@ -27,7 +23,7 @@ class FaceFrame {
   const Vec3& up() const { return up_; }
 
   /// The foot of p on the plane. Rounded, error a few ulp of the coordinates' size.
-  Vec2 to_plane(const LatticePoint& p) const { return to_plane(to_vec3(p)); }
+  Vec2 to_plane(const LatticePoint& p) const { return to_plane(real(p)); }
   Vec2 to_plane(Vec3 p) const {
     const Vec3 d = p - origin_;
     return {dot(x_, d), dot(y_, d)};

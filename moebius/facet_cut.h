@@ -1,9 +1,10 @@
 #pragma once
 /// The arcs of a Moebius diagram between two sites, found on the facet where their power cells meet.
 ///
-/// The facet is a convex polygon, bounded or not; the surface over it (the paraboloid of the lifting, or the centres of
-/// tangent spheres) is the border of a convex region. So facet and region meet in a convex set, whose border
-/// runs in turns along the facet's own border and along the surface: the latter pieces are the arcs.
+/// The facet is a convex polygon, bounded or not; the surface over it (the paraboloid of the lifting, or the
+/// centres of tangent spheres) is the border of a convex region. So facet and region meet in a convex set,
+/// whose border runs in turns along the facet's own border and along the surface: the latter pieces are the
+/// arcs.
 
 #include <cstdint>
 #include <span>
@@ -29,14 +30,15 @@ struct FacetCrossing {
   friend bool operator==(const FacetCrossing&, const FacetCrossing&) = default;
 };
 
-/// A piece of the surface across the facet: from where its border leaves the region to where it next enters it.
+/// A piece of the surface across the facet: from where its border leaves the region to where it next enters
+/// it.
 struct FacetArc {
   FacetCrossing from, to;
 };
 
-/// Appends the arcs of one facet. `sides` are its sides in counter-clockwise order; a gap at infinity between two sides is a side too.
-/// Each begins as the one before it ends. No arc if the border never crosses: then the surface misses the facet, or lies within
-/// it as one whole curve, which one point decides. Linear time.
+/// Appends the arcs of one facet. `sides` are its sides in counter-clockwise order; a gap at infinity between
+/// two sides is a side too. Each begins as the one before it ends. No arc if the border never crosses: then
+/// the surface misses the facet, or lies within it as one whole curve, which the caller decides. Linear time.
 void cut_facet(std::span<const Passage> sides, std::vector<FacetArc>& arcs);
 
 }  // namespace crossloft

@@ -73,7 +73,7 @@ inline Cell random_cell(std::size_t count, std::int64_t distance, std::uint64_t 
   std::vector<LatticePlane> planes;
   while (planes.size() < count) {
     const LatticeVector e1{draw(50), draw(50), draw(50)}, e2{draw(50), draw(50), draw(50)}, n = cross(e1, e2);
-    const double length = norm(to_vec3(make_point(n)));
+    const double length = norm(real(make_point(n)));
     if (length < 500) continue;
     LatticeVector origin{};
     for (std::size_t k = 0; k < 3; ++k)

@@ -101,8 +101,8 @@ TEST_CASE("two other planes: hyperbolic, all circles are centred on the common l
       ++circles;
       const Vec3 centre = cell.frames[f].to_space(arc.curve.centre);
       const LatticePlane& other = cell.planes[1 - f];
-      const Vec3 normal = to_vec3(make_point(other.normal));
-      const double distance = dot(normal, centre - to_vec3(make_point(other.origin))) / norm(normal);
+      const Vec3 normal = real(make_point(other.normal));
+      const double distance = dot(normal, centre - real(make_point(other.origin))) / norm(normal);
       CHECK(std::abs(distance) <= 1e-9 * (arc.curve.radius + 1e4));
     }
   CHECK(circles > 200);
