@@ -278,16 +278,18 @@ void CellDiagrams::face_arcs(std::uint32_t face, std::vector<FaceArc>& arcs) {
   cut_facet(passages_, pieces_);
   const FaceSite i = site(facet_.i, face), j = site(facet_.j, face);
   const MoebiusCurve curve = tangent_curve(i, j);
+  const std::size_t first = arcs.size();
   for (const FacetArc& piece : pieces_) {
     FaceArc arc{{facet_.i, facet_.j}, curve, {}, {}, i.height > j.height, false, false, false, false};
     arc.from_infinite = piece.from.side == facet_.sides.size();
     arc.to_infinite = piece.to.side == facet_.sides.size();
     if (!arc.from_infinite) arc.from = crossing(piece.from, face);
     if (!arc.to_infinite) arc.to = crossing(piece.to, face);
-    arcs.push_back(arc);
+    // Three sites on a line within rounding may have no crossing that a double can hold; NaN must not be sorted.
+    if (is_finite(arc.from) && is_finite(arc.to)) arcs.push_back(arc);
   }
   if (curve.is_line) return;
-  const std::span<FaceArc> ours(arcs.end() - static_cast<std::ptrdiff_t>(pieces_.size()), arcs.end());
+  const std::span<FaceArc> ours = std::span(arcs).subspan(first);
   for (FaceArc& arc : ours) arc.over_half = is_over_half(arc, ours, face);
 }
 
