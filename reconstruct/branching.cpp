@@ -54,7 +54,7 @@ struct FaceState {
   OpenFace open;
   const SectionLocator& locator;
   std::vector<Vec2> taken;  ///< plane coordinates of the samples
-  std::vector<LatticePoint>& samples;
+  FaceBranching& out;
 };
 
 SectionMap section_map(const CellFace& face, const FaceFrame& frame, std::span<const LatticePoint> points) {
@@ -187,13 +187,15 @@ bool BranchingCell::lacks_something() const {
   return false;
 }
 
-std::vector<LatticePoint> distinct_samples(std::vector<LatticePoint> samples) {
-  std::sort(samples.begin(), samples.end(),
-            [](const LatticePoint& a, const LatticePoint& b) { return compare_lex(a, b) < 0; });
-  samples.erase(
-      std::unique(samples.begin(), samples.end(), [](const auto& a, const auto& b) { return equal(a, b); }),
-      samples.end());
-  return samples;
+void merge_samples(const FaceBranching& side, std::vector<LatticePoint>& all) {
+  const auto others = static_cast<std::ptrdiff_t>(all.size());
+  for (std::size_t k = 0; k < side.samples.size(); ++k) {
+    const Vec3 at = real(side.samples[k]);
+    const bool is_near = std::any_of(all.begin(), all.begin() + others, [&](const LatticePoint& other) {
+      return norm(real(other) - at) < side.apart[k];
+    });
+    if (!is_near) all.push_back(side.samples[k]);
+  }
 }
 
 BranchingCell::Sampler::Sampler(const BranchingCell& cell, const CellTriangulation& triangulation,
@@ -268,7 +270,8 @@ bool BranchingCell::Sampler::keep(const Candidate& c, FaceState& state) const {
   const auto [u, v] = nearest_coordinates(frame.plane(), frame.to_space(c.at));
   const LatticePoint p = plane_point(frame.plane(), u, v);
   if (!state.open.contains(p) || state.locator.locate(p) != SectionLocator::Place::inside) return false;
-  state.samples.push_back(p);
+  state.out.samples.push_back(p);
+  state.out.apart.push_back(clear);
   state.taken.push_back(c.at);
   return true;
 }
@@ -337,7 +340,7 @@ void BranchingCell::Sampler::take(std::size_t face, FaceBranching& out) const {
                   OpenFace(cell_.graph_, cell_.arrangement_, out.face),
                   cell_.locators_[cell_.arrangement_.plane_of(out.face).value],
                   {},
-                  out.samples};
+                  out};
   std::vector<Candidate> candidates = found_[face];
   junctions_first(candidates);
   for (const Candidate& c : candidates)

@@ -21,6 +21,7 @@ struct FaceBranching {
   std::vector<FaceArc> arcs;  ///< those that samples were looked for on
   std::vector<Vec2> sites;    ///< feet of the vertices that the arcs are between
   std::vector<LatticePoint> samples;  ///< strictly inside the face and its section
+  std::vector<double> apart;  ///< in step: the least distance from samples of the other side, lattice units
 };
 
 struct CellBranching {
@@ -74,7 +75,8 @@ class BranchingCell {
   std::uint32_t components_ = 0;
 };
 
-/// Sorted, without repetitions: both sides of a face may have chosen the same point.
-std::vector<LatticePoint> distinct_samples(std::vector<LatticePoint> samples);
+/// Appends the samples of one side of a face to `all`, those of its other side or none. Where the two diagrams
+/// (nearly) coincide one sample serves both; two would be the ends of needles. O(product of both numbers).
+void merge_samples(const FaceBranching& side, std::vector<LatticePoint>& all);
 
 }  // namespace crossloft

@@ -121,8 +121,7 @@ Result<Done> Pipeline::add_samples() {
     result_.report.seconds.branching += cell.seconds;
     for (const FaceBranching& face : cell.faces) {
       result_.report.branching_arcs += static_cast<std::uint32_t>(face.arcs.size());
-      auto& all = samples[face.face.value];
-      all.insert(all.end(), face.samples.begin(), face.samples.end());
+      merge_samples(face, samples[face.face.value]);
       if (observer_) observer_->on_branching(face, faces_[face.face.value], numbering_);
     }
   }

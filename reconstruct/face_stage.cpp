@@ -32,8 +32,7 @@ Result<Done> Pipeline::refine_faces(std::span<const std::vector<LatticePoint>> s
   const auto good = for_all(faces_.size(), "faces", [&](std::size_t f) -> Result<Done> {
     if (samples[f].empty()) return Done{};
     const auto& locator = locators_[faces_[f].plane];
-    auto face =
-        refine_face(graph_, *arrangement_, locator, inputs_[f], faces_[f], distinct_samples(samples[f]));
+    auto face = refine_face(graph_, *arrangement_, locator, inputs_[f], faces_[f], samples[f]);
     if (!face) return face.error();
     faces_[f] = std::move(face).value();
     return Done{};

@@ -148,6 +148,33 @@ TEST_CASE("noise does not matter: one circle under four, joined to all of them")
   }
 }
 
+TEST_CASE("both sides branch at nearly the same places: one sample serves both") {
+  const auto four = [](double z, double shift) {
+    PlaneSection plane = plane_at(kUp, {0, 0, z});
+    for (const double x : {-1.0, 1.0})
+      for (const double y : {-1.0, 1.0})
+        add_contour(plane, polygon(kUp, {x + shift, y + 0.7 * shift, z}, 0.5, 24));
+    return plane;
+  };
+  PlaneSection middle = plane_at(kUp, {0, 0, 1});
+  add_contour(middle, polygon(kUp, {0.1, 0, 1}, 1.4, 40));
+  for (const double shift : {1e-4, 1e-9, 1e-14}) {
+    CAPTURE(shift);
+    Watcher watcher;
+    const auto r = reconstruct({"", {four(0, 0), middle, four(2, shift)}}, {}, {}, &watcher);
+    REQUIRE(r.ok());
+    REQUIRE(watcher.sides.size() == 2);
+    CHECK(r->report.branching_samples < sample_count(watcher));
+    double nearest = 1;
+    for (const Vec3& p : r->surface.points)
+      for (const Vec3& q : r->surface.points)
+        if (norm(p - q) > 0) nearest = std::min(nearest, norm(p - q));
+    CHECK(nearest > 0.03);
+    CHECK(r->report.flat_regions == 0);
+    check_sound(*r);
+  }
+}
+
 TEST_CASE("sections tiny against the one that branches to them: few samples, all joined") {
   for (const double r : {1e-3, 1e-6, 1e-9}) {
     CAPTURE(r);
