@@ -69,7 +69,7 @@ Json lines_part(const Report& r) {
 }
 
 Json branching_part(const Report& r) {
-  return {{"faces", r.branching_faces}, {"arcs", r.branching_arcs}, {"samples", r.branching_samples}};
+  return {{"faces", r.branching_faces}, {"samples", r.branching_samples}};
 }
 
 Json arrangement_part(const Report& r) {

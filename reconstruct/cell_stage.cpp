@@ -120,7 +120,6 @@ Result<Done> Pipeline::add_samples() {
   for (const CellBranching& cell : found) {
     result_.report.seconds.branching += cell.seconds;
     for (const FaceBranching& face : cell.faces) {
-      result_.report.branching_arcs += static_cast<std::uint32_t>(face.arcs.size());
       merge_samples(face, samples[face.face.value]);
       if (observer_) observer_->on_branching(face, faces_[face.face.value], numbering_);
     }

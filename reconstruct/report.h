@@ -56,7 +56,6 @@ struct Report {
   std::uint32_t merged_collinear = 0; ///< vertices dropped that snapping bent off a straight run
   std::uint32_t branching_samples = 0;  ///< vertices added on branching and cutting diagrams
   std::uint32_t branching_faces = 0;  ///< faces that got some
-  std::uint32_t branching_arcs = 0;   ///< arcs of diagrams that they were looked for on
   std::uint32_t edge_splits = 0;      ///< vertices added to make contours Delaunay-conforming
 
   double section_area = 0, flat_area = 0;
