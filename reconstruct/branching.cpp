@@ -116,7 +116,6 @@ BranchingCell::BranchingCell(const SectionGraph& graph, const Arrangement& arran
       points_(points),
       options_(options) {
   label_vertices();
-  find_bare();
 }
 
 /// A section component of a cell: internal triangles of its faces that hang together at vertices.

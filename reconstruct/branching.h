@@ -41,6 +41,9 @@ class BranchingCell {
   /// False if no diagram of the cell can have a sample: there must be a section, in mode automatic three
   /// components.
   bool may_branch() const;
+  /// Takes in what of the sections is covered, on both sides: the calls below rest on it. REQUIRES: no cell
+  /// is being pruned meanwhile.
+  void find_bare();
   /// Where only cells that lack something are looked at: whether the cell, pruned without samples, leaves a
   /// section component bare, or a part of one that is bare on its other side too. Else true.
   bool lacks_something() const;
@@ -51,7 +54,6 @@ class BranchingCell {
  private:
   class Sampler;
   void label_vertices();
-  void find_bare();
   /// Whether a section component on the face is bare, or flat somewhere.
   bool lacks_on(std::size_t face) const;
   /// Component of an internal triangle.
@@ -75,8 +77,9 @@ class BranchingCell {
   std::uint32_t components_ = 0;
 };
 
-/// Appends the samples of one side of a face to `all`, those of its other side or none. Where the two diagrams
-/// (nearly) coincide one sample serves both; two would be the ends of needles. O(product of both numbers).
+/// Appends the samples of one side of a face to `all`, those of its other side or none. Where the two
+/// diagrams (nearly) coincide one sample serves both; two would be the ends of needles. O(product of both
+/// numbers).
 void merge_samples(const FaceBranching& side, std::vector<LatticePoint>& all);
 
 }  // namespace crossloft

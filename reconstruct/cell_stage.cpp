@@ -98,9 +98,10 @@ Result<CellBranching> Pipeline::branch(CellId id, CellState& state) {
   if (!has_section(faces)) return CellBranching{};
   if (options_.branching.only_where_lacking() && !observer_ && !is_somewhere_bare(faces))
     return CellBranching{};
-  const BranchingCell cell(graph_, *arrangement_, locators_, ids, faces, numbering_.points,
-                           options_.branching);
-  if (!cell.may_branch() || !(cell.lacks_something() || observer_)) return CellBranching{};
+  BranchingCell cell(graph_, *arrangement_, locators_, ids, faces, numbering_.points, options_.branching);
+  if (!cell.may_branch()) return CellBranching{};
+  cell.find_bare();
+  if (!cell.lacks_something() && !observer_) return CellBranching{};
   if (!state.triangulation) state.triangulation = std::make_unique<CellTriangulation>(faces.size());
   if (auto done = state.triangulation->add(faces, numbering_.points); !done) return done.error();
   if (state.triangulation->dimension() < 3) return CellBranching{};
