@@ -117,7 +117,8 @@ void add_reconstruct(CLI::App& program, ExitCode& outcome) {
   command->add_option("--dump-sections", a.sections, "also the sections as the solid meets them")
       ->check(is_sections_file());
   command->add_option("--dump-branching", a.drawings,
-                      "also a drawing of each branching diagram into this folder: section, arcs, samples");
+                      "also a drawing of each branching diagram into this folder: section, arcs, samples")
+      ->check([](const std::string& folder) { return folder.empty() ? "names no folder" : std::string(); });
   command->add_option("--threads", a.threads, "worker threads, 0: one per core; the result is the same")
       ->capture_default_str()
       ->check(CLI::Range(0, 1024));

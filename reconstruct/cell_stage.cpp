@@ -74,8 +74,8 @@ Result<Done> Pipeline::prune_cell(CellId id, CellState& state) {
   return Done{};
 }
 
-/// Whether samples may be wanted in a cell that has been pruned; what its other
-/// sides cover is not known yet.
+/// Whether samples may be wanted in a cell that has been pruned; what is covered from its other sides is not
+/// known yet.
 bool Pipeline::may_take_samples(std::span<const FaceId> ids, std::span<const CellFace> faces) const {
   const BranchingOptions& wanted = options_.branching;
   if (wanted.mode == Branching::off && !wanted.cutting) return false;

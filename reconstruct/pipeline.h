@@ -39,7 +39,6 @@ struct CellState {
   std::vector<std::array<std::uint32_t, 4>> tets;    ///< kept ones, by final vertex numbers
   CellReport report;
   double delaunay_seconds = 0, pruning_seconds = 0;
-  Error error;
   BuiltCell built;  ///< only for an observer
   PruneResult pruned;
   bool due = true;  ///< to be pruned: not yet done, or its faces have changed

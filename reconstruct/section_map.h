@@ -2,6 +2,8 @@
 /// The section on one face in rounded plane coordinates: what branching samples are placed by. What is
 /// decided here is where to look; that a sample is inside is tested exactly afterwards.
 
+#include <array>
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>

@@ -118,6 +118,7 @@ grep -q '"branching": "auto"' b.json || { echo "FAILED: the report does not name
 expect 0 'branching +0 samples' reconstruct "$figure" -o b.ply --branching off
 expect 0 '' reconstruct "$figure" -o b.ply --branching all --cutting
 expect 2 'not in' reconstruct "$figure" -o b.ply --branching some
+expect 2 'names no folder' reconstruct "$figure" -o b.ply --dump-branching ''
 expect 3 'b.ply: cannot be written: it is not a folder' reconstruct "$figure" -o c.ply --dump-branching b.ply
 absent c.ply
 

@@ -10,8 +10,6 @@ using namespace crossloft::test;
 
 namespace {
 
-using Sites = std::vector<MoebiusSite>;
-
 /// Turns of a walk around a point by adding up angles: short chords along the arcs, and along a large circle
 /// at infinity.
 class AngleSum {

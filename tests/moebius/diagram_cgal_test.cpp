@@ -16,7 +16,6 @@ using namespace crossloft::test;
 
 namespace {
 
-using Sites = std::vector<MoebiusSite>;
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Delaunay = CGAL::Delaunay_triangulation_2<
     Kernel,

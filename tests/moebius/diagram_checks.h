@@ -15,9 +15,11 @@
 
 namespace crossloft::test {
 
+using Sites = std::vector<MoebiusSite>;
+
 inline double distance(const MoebiusSite& s, Vec2 x) { return s.lambda * dot(x - s.p, x - s.p) - s.mu; }
 
-inline std::uint32_t nearest(const std::vector<MoebiusSite>& sites, Vec2 x) {
+inline std::uint32_t nearest(const Sites& sites, Vec2 x) {
   std::uint32_t best = 0;
   for (std::uint32_t i = 1; i < sites.size(); ++i)
     if (distance(sites[i], x) < distance(sites[best], x)) best = i;
@@ -88,7 +90,7 @@ class ArcPath {
   double begin_ = 0, end_ = 0;
 };
 
-inline std::string describe(const std::vector<MoebiusSite>& sites) {
+inline std::string describe(const Sites& sites) {
   std::string text;
   for (const MoebiusSite& s : sites)
     text += std::to_string(s.p.x) + " " + std::to_string(s.p.y) + " " + std::to_string(s.lambda) + " " +
@@ -97,7 +99,7 @@ inline std::string describe(const std::vector<MoebiusSite>& sites) {
 }
 
 /// Site i is nearest at x, to within `slack`.
-inline bool is_nearest(const std::vector<MoebiusSite>& sites, std::uint32_t i, Vec2 x, double slack) {
+inline bool is_nearest(const Sites& sites, std::uint32_t i, Vec2 x, double slack) {
   return distance(sites[i], x) <= distance(sites[nearest(sites, x)], x) + slack;
 }
 
@@ -166,14 +168,14 @@ inline int missing_arcs(const MoebiusDiagram& diagram, double extent, int steps)
   return missing;
 }
 
-inline MoebiusDiagram diagram_of(const std::vector<MoebiusSite>& sites) {
+inline MoebiusDiagram diagram_of(const Sites& sites) {
   auto diagram = moebius_diagram(sites);
   REQUIRE(diagram.ok());
   return std::move(diagram.value());
 }
 
 /// The diagram, checked in every way.
-inline MoebiusDiagram checked(const std::vector<MoebiusSite>& sites, double extent, int steps) {
+inline MoebiusDiagram checked(const Sites& sites, double extent, int steps) {
   MoebiusDiagram diagram = diagram_of(sites);
   INFO(describe(sites));
   CHECK(verify(diagram) == "");

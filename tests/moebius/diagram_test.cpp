@@ -11,8 +11,6 @@ using namespace crossloft::test;
 
 namespace {
 
-using Sites = std::vector<MoebiusSite>;
-
 /// Integers -reach..reach.
 class SmallIntegers {
  public:
