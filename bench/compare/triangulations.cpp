@@ -18,7 +18,7 @@
 
 #include "../../delaunay/delaunay3.h"
 #include "../../delaunay/lattice_predicates.h"
-#include "../../delaunay/regular_triangulation.h"
+#include "../../delaunay/triangulation.h"
 #include "../../delaunay/vec3_predicates.h"
 
 namespace {
@@ -86,7 +86,7 @@ void regular(benchmark::State& state) {
   for (auto _ : state)
     duel.round(
         [&] {
-          const RegularTriangulation triangulation = regular_triangulation(sites);
+          const Triangulation triangulation = regular_triangulation(sites);
           tets = triangulation.tets.size();
           hidden = static_cast<std::size_t>(
               std::count(triangulation.kept.begin(), triangulation.kept.end(), kNone));

@@ -5,7 +5,7 @@
 #include "../../delaunay/delaunay3.h"
 #include "../../delaunay/lattice_predicates.h"
 #include "../../delaunay/regular3.h"
-#include "../../delaunay/regular_triangulation.h"
+#include "../../delaunay/triangulation.h"
 #include "../../delaunay/weighted_predicates.h"
 #include "brute_force.h"
 #include "point_sets.h"
@@ -41,7 +41,7 @@ void check_kept(const T& triangulation, const Sites& sites) {
 
 /// The one call says the same in the same numbers.
 void check_one_call(const Regular3<WeightedPredicates3>& triangulation, const Sites& sites) {
-  const RegularTriangulation result = regular_triangulation(sites);
+  const Triangulation result = regular_triangulation(sites);
   CHECK(result.dimension == triangulation.dimension());
   REQUIRE(result.kept.size() == sites.size());
   std::vector<std::uint32_t> identity(sites.size());

@@ -1,4 +1,4 @@
-#include "regular_triangulation.h"
+#include "triangulation.h"
 
 #include <algorithm>
 #include <array>
@@ -35,7 +35,14 @@ void renumber(std::vector<std::array<std::uint32_t, N>>& simplices,
 
 }  // namespace
 
-RegularTriangulation regular_triangulation(std::span<const WeightedPoint> points) {
+Triangulation delaunay_triangulation(std::vector<Vec3> points, unsigned) {
+  std::vector<WeightedPoint> weighted;
+  weighted.reserve(points.size());
+  for (const Vec3& p : points) weighted.push_back({p, 0});
+  return regular_triangulation(weighted);
+}
+
+Triangulation regular_triangulation(std::span<const WeightedPoint> points) {
   const std::vector<std::uint32_t> order = order_of(points);
   std::vector<WeightedPoint> stored;
   stored.reserve(points.size());
@@ -45,7 +52,7 @@ RegularTriangulation regular_triangulation(std::span<const WeightedPoint> points
   triangulation.build_in_given_order();
 
   const std::vector<std::uint32_t> number = first_numbers(triangulation, order);
-  RegularTriangulation result{triangulation.dimension(),    std::vector<std::uint32_t>(points.size(), kNone),
+  Triangulation result{triangulation.dimension(),    std::vector<std::uint32_t>(points.size(), kNone),
                               triangulation.tet_mesh(),     triangulation.tri_mesh(),
                               triangulation.dropped_axis(), triangulation.chain()};
   for (std::uint32_t k = 0; k < order.size(); ++k)

@@ -1,0 +1,36 @@
+#pragma once
+/// Delaunay and regular triangulations of points in space in one call, as plain arrays.
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "../geom/vec3.h"
+#include "../geom/weighted_point.h"
+#include "tet_mesh.h"
+#include "tri_mesh.h"
+
+namespace crossloft {
+
+/// A triangulation in the numbers of the points given, of the dimension that they have.
+struct Triangulation {
+  int dimension = -1;               ///< of the affine hull, -1 for no points
+  std::vector<std::uint32_t> kept;  ///< per point: the vertex that stands for it, kNone if it is hidden
+  TetMesh tets;                     ///< dimension 3: orient3d > 0
+  TriMesh triangles;                ///< dimension 2: counter-clockwise in the projection along dropped_axis
+  int dropped_axis = -1;
+  std::vector<std::uint32_t> chain;  ///< dimension 1 and 0: the vertices along the line
+};
+
+/// The Delaunay triangulation, ties broken as in Delaunay3: exact for all finite doubles, a function of the
+/// points, the same bytes for any number of threads. Of equal points the one of lowest index is the vertex.
+/// Points on one plane or line get the triangulation of that plane or line. The points are taken over, since
+/// they are stored in insertion_order for the while. `threads` >= 1. Expected O(n log n) plus the tetrahedra made. REQUIRES: finite
+/// coordinates, fewer than 2^30 tetrahedra.
+Triangulation delaunay_triangulation(std::vector<Vec3> points, unsigned threads = 1);
+
+/// The regular triangulation (contracts in regular3.h) in the same way, exact for all finite doubles. Besides
+/// the result, 36 bytes a tetrahedron and 52 a point. REQUIRES: finite coordinates and weights.
+Triangulation regular_triangulation(std::span<const WeightedPoint> points);
+
+}  // namespace crossloft
