@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <bit>
 #include <cstddef>
+#include <utility>
+
+#include "hilbert_curve.h"
 
 namespace crossloft {
 namespace {
@@ -23,72 +26,83 @@ unsigned round_of(std::size_t index) {
   return std::min(static_cast<unsigned>(std::countr_zero(scramble(index))) / 3, kLastRound);
 }
 
-/// Position along the Hilbert curve of a cell of the grid of 2^kBits cells an axis.
-template <std::size_t N>
-std::uint64_t curve_position(std::array<std::uint32_t, N> x) {
-  for (std::uint32_t bit = 1u << (kBits - 1); bit > 1; bit >>= 1) {
-    const std::uint32_t low = bit - 1;
-    for (std::size_t k = 0; k < N; ++k) {
-      // Reflect or swap the lower bits, as the sub-cube's copy of the curve is turned.
-      const std::uint32_t swap = (x[k] & bit) ? 0 : (x[0] ^ x[k]) & low;
-      x[0] ^= (x[k] & bit) ? low : swap;
-      x[k] ^= swap;
-    }
-  }
-  for (std::size_t k = 1; k < N; ++k) x[k] ^= x[k - 1];
-  std::uint32_t flip = 0;
-  for (std::uint32_t bit = 1u << (kBits - 1); bit > 1; bit >>= 1)
-    if (x[N - 1] & bit) flip ^= bit - 1;
-  std::uint64_t position = 0;
-  for (unsigned b = kBits; b-- > 0;)
-    for (std::size_t k = 0; k < N; ++k) position = position << 1 | ((x[k] ^ flip) >> b & 1);
-  return position;
-}
+double coordinate(const std::array<double, 2>& p, std::size_t axis) { return p[axis]; }
+double coordinate(const std::array<double, 3>& p, std::size_t axis) { return p[axis]; }
+double coordinate(const Vec3& p, std::size_t axis) { return axis == 0 ? p.x : axis == 1 ? p.y : p.z; }
 
 /// Maps the bounding box to the curve's grid, the same scale on all axes. Halves avoid overflow.
 template <std::size_t N>
-struct Grid {
-  explicit Grid(std::span<const std::array<double, N>> points) {
+class Grid {
+ public:
+  template <class Point>
+  explicit Grid(std::span<const Point> points) {
     std::array<double, N> high{};
-    for (std::size_t k = 0; k < N; ++k) low[k] = high[k] = points[0][k] / 2;
-    for (const auto& p : points)
+    for (std::size_t k = 0; k < N; ++k) low_[k] = high[k] = coordinate(points[0], k) / 2;
+    for (const Point& p : points)
       for (std::size_t k = 0; k < N; ++k) {
-        low[k] = std::min(low[k], p[k] / 2);
-        high[k] = std::max(high[k], p[k] / 2);
+        low_[k] = std::min(low_[k], coordinate(p, k) / 2);
+        high[k] = std::max(high[k], coordinate(p, k) / 2);
       }
-    for (std::size_t k = 0; k < N; ++k) extent = std::max(extent, high[k] - low[k]);
+    for (std::size_t k = 0; k < N; ++k) extent_ = std::max(extent_, high[k] - low_[k]);
   }
-  std::array<std::uint32_t, N> cell(const std::array<double, N>& p) const {
+  template <class Point>
+  std::array<std::uint32_t, N> cell(const Point& p) const {
     std::array<std::uint32_t, N> c{};
-    if (extent > 0)
+    if (extent_ > 0)
       for (std::size_t k = 0; k < N; ++k)
-        c[k] = static_cast<std::uint32_t>((p[k] / 2 - low[k]) / extent * ((1u << kBits) - 1));
+        c[k] = static_cast<std::uint32_t>((coordinate(p, k) / 2 - low_[k]) / extent_ * ((1u << kBits) - 1));
     return c;
   }
 
-  std::array<double, N> low{};
-  double extent = 0;
+ private:
+  std::array<double, N> low_{};
+  double extent_ = 0;
 };
 
-template <std::size_t N>
-std::vector<std::uint32_t> order(std::span<const std::array<double, N>> points) {
-  struct Entry {
-    std::uint64_t key;
-    std::uint32_t index;
-  };
+struct Entry {
+  std::uint64_t key;
+  std::uint32_t index;
+};
+
+/// Sorts by key, entries of equal keys as they are: least digits first, skipping digits that all share.
+void sort_by_key(std::vector<Entry>& entries) {
+  constexpr unsigned kDigit = 11, kDigits = (64 + kDigit - 1) / kDigit, kValues = 1u << kDigit;
+  const auto digit = [](const Entry& e, unsigned d) { return e.key >> d * kDigit & (kValues - 1); };
+  std::vector<std::array<std::uint32_t, kValues>> counts(kDigits);
+  for (const Entry& e : entries)
+    for (unsigned d = 0; d < kDigits; ++d) ++counts[d][digit(e, d)];
+  std::vector<Entry> sorted(entries.size());
+  for (unsigned d = 0; d < kDigits; ++d) {
+    auto& place = counts[d];
+    if (place[digit(entries[0], d)] == entries.size()) continue;
+    std::uint32_t before = 0;
+    for (std::uint32_t& p : place) before += std::exchange(p, before);
+    for (const Entry& e : entries) sorted[place[digit(e, d)]++] = e;
+    entries.swap(sorted);
+  }
+}
+
+void sort_entries(std::vector<Entry>& entries) {
+  constexpr std::size_t kFew = 2000;  // below, clearing the counts costs more
+  if (entries.size() > kFew) return sort_by_key(entries);
+  std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
+    return a.key != b.key ? a.key < b.key : a.index < b.index;
+  });
+}
+
+template <std::size_t N, class Point>
+std::vector<std::uint32_t> order(std::span<const Point> points) {
   std::vector<std::uint32_t> result(points.size());
   if (points.empty()) return result;
   const Grid<N> grid(points);
   std::vector<Entry> entries(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     const unsigned round = round_of(i);
-    std::uint64_t position = curve_position(grid.cell(points[i]));
+    std::uint64_t position = detail::HilbertCurve<N>::position(grid.cell(points[i]), kBits);
     if (round % 2) position ^= (std::uint64_t{1} << (N * kBits)) - 1;
-    entries[i] = {std::uint64_t{kLastRound - round} << 60 | position, static_cast<std::uint32_t>(i)};
+    entries[i] = {std::uint64_t{kLastRound - round} << (N * kBits) | position, static_cast<std::uint32_t>(i)};
   }
-  std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
-    return a.key != b.key ? a.key < b.key : a.index < b.index;
-  });
+  sort_entries(entries);
   for (std::size_t i = 0; i < entries.size(); ++i) result[i] = entries[i].index;
   return result;
 }
@@ -96,10 +110,11 @@ std::vector<std::uint32_t> order(std::span<const std::array<double, N>> points) 
 }  // namespace
 
 std::vector<std::uint32_t> insertion_order(std::span<const std::array<double, 2>> points) {
-  return order(points);
+  return order<2>(points);
 }
 std::vector<std::uint32_t> insertion_order(std::span<const std::array<double, 3>> points) {
-  return order(points);
+  return order<3>(points);
 }
+std::vector<std::uint32_t> insertion_order(std::span<const Vec3> points) { return order<3>(points); }
 
 }  // namespace crossloft

@@ -6,14 +6,17 @@
 #include <span>
 #include <vector>
 
+#include "../geom/vec3.h"
+
 namespace crossloft {
 
 /// A biased randomised insertion order: rounds that grow by a factor of 8, points drawn by a fixed hash of
 /// their index, each round along a Hilbert curve, every other one backwards. Rounds keep the expected work
 /// O(n log n) for any input, the curve keeps walks and cache misses short. Also a good order to store points
-/// in. REQUIRES: finite coordinates. O(n log n). Sources: Amenta, Choi, Rote, Incremental constructions con
-/// BRIO (2003); Skilling, Programming the Hilbert curve (2004).
+/// in. REQUIRES: finite coordinates. Linear time. Source: Amenta, Choi, Rote, Incremental constructions con
+/// BRIO (2003).
 std::vector<std::uint32_t> insertion_order(std::span<const std::array<double, 2>> points);
 std::vector<std::uint32_t> insertion_order(std::span<const std::array<double, 3>> points);
+std::vector<std::uint32_t> insertion_order(std::span<const Vec3> points);
 
 }  // namespace crossloft

@@ -8,6 +8,8 @@
 #include <concepts>
 #include <cstdint>
 
+#include "../geom/lifted_row.h"
+
 namespace crossloft {
 
 /// Points 0..size()-1 in space. Conventions of geom/lattice.h:
@@ -72,6 +74,17 @@ concept PowerPredicates3 = requires(const P& p, std::uint32_t i, int axis) {
   { p.orient2d(i, i, i, axis) } -> std::same_as<int>;
   { p.power_test2d(i, i, i, i, axis) } -> std::same_as<int>;
   { p.power_test1d(i, i, i) } -> std::same_as<int>;
+};
+
+/// Points or sites in space that come as rows of the in-sphere or power test, for speed: a triangulation asks
+/// many cells about one point, and so lifts each vertex once.
+/// - lifted(i, origin): site i relative to another, rounded (lifted_row.h);
+/// - lifted_error(): how far lifted_determinant of any four rows may be off, of the points there are now;
+///   infinite if that is not known. A larger determinant has the sign of insphere or power_test.
+template <class P>
+concept LiftsPoints = requires(const P& p, std::uint32_t i) {
+  { p.lifted(i, i) } -> std::same_as<LiftedRow>;
+  { p.lifted_error() } -> std::same_as<double>;
 };
 
 /// PointPredicates2 that also measures: what conforming edge recovery needs to place its splits.

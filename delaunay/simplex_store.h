@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "../geom/ids.h"
@@ -22,53 +23,62 @@ class Facet {
   constexpr Facet() = default;
   constexpr Facet(std::uint32_t cell, std::size_t slot)
       : code_(cell << 2 | static_cast<std::uint32_t>(slot)) {}
+  static constexpr Facet of_code(std::uint32_t code) {
+    Facet facet;
+    facet.code_ = code;
+    return facet;
+  }
   constexpr std::uint32_t cell() const { return code_ >> 2; }
   constexpr std::size_t slot() const { return code_ & 3; }
+  constexpr std::uint32_t code() const { return code_; }
   friend constexpr bool operator==(Facet, Facet) = default;
 
  private:
   std::uint32_t code_ = kNone;
 };
 
-/// Cells with vertices and neighbours. Every cell is oriented positively; that of a ghost cell is the one it
-/// has when the ghost is replaced by a point outside the hull facet (opposite the last slot).
+/// What an insertion knows of a cell.
+enum class Mark : std::uint8_t { none, outside, cavity };
+
+/// Cells with vertices, neighbours and marks. Every cell is oriented positively; that of a ghost cell is the
+/// one it has when the ghost is replaced by a point outside the hull facet (opposite the last slot).
 template <std::size_t D>
 class SimplexStore {
  public:
-  std::uint32_t size() const { return static_cast<std::uint32_t>(cells_.size()); }
-  const Simplex<D>& vertices(std::uint32_t cell) const { return cells_[cell].vertices; }
-  /// The same facet seen from the cell on its other side; Facet() in a cell just added.
-  Facet across(Facet f) const { return cells_[f.cell()].neighbours[f.slot()]; }
-  bool is_ghost(std::uint32_t cell) const { return cells_[cell].vertices[D] == kGhost; }
-  bool is_free(std::uint32_t cell) const { return cells_[cell].vertices[0] == kNone; }
+  std::uint32_t size() const { return static_cast<std::uint32_t>(vertices_.size()); }
+  const Simplex<D>& vertices(std::uint32_t cell) const { return vertices_[cell]; }
+  /// The same facet seen from the cell on its other side.
+  Facet across(Facet f) const { return Facet::of_code(neighbours_[f.cell()][f.slot()]); }
+  bool is_ghost(std::uint32_t cell) const { return vertices_[cell][D] == kGhost; }
+  bool is_free(std::uint32_t cell) const { return vertices_[cell][0] == kNone; }
 
   /// Makes room for a number of cells in all: a guess, for speed.
   void reserve(std::size_t cells) {
-    cells_.reserve(cells);
+    vertices_.reserve(cells);
+    neighbours_.reserve(cells);
     marks_.reserve(cells);
   }
-  std::uint32_t add(const Simplex<D>& vertices) {
-    if (free_.empty()) {
-      cells_.push_back({vertices, {}});
-      marks_.push_back(0);
-      return size() - 1;
-    }
-    const std::uint32_t cell = free_.back();
-    free_.pop_back();
-    cells_[cell] = {vertices, {}};
-    return cell;
+  /// A new free cell.
+  std::uint32_t grow() {
+    vertices_.push_back(free_cell());
+    neighbours_.push_back(no_neighbours());
+    marks_.push_back(Mark::none);
+    return size() - 1;
   }
-  void release(std::uint32_t cell) {
-    cells_[cell].vertices[0] = kNone;
-    free_.push_back(cell);
+  /// So many cells in all, those beyond size() free.
+  void grow_to(std::size_t cells) {
+    vertices_.resize(cells, free_cell());
+    neighbours_.resize(cells, no_neighbours());
+    marks_.resize(cells, Mark::none);
   }
+  void set_vertices(std::uint32_t cell, const Simplex<D>& vertices) { vertices_[cell] = vertices; }
+  void set_free(std::uint32_t cell) { vertices_[cell] = free_cell(); }
   void link(Facet a, Facet b) {
-    cells_[a.cell()].neighbours[a.slot()] = b;
-    cells_[b.cell()].neighbours[b.slot()] = a;
+    redirect(a, b);
+    redirect(b, a);
   }
   /// Across `from` is now `to`, but not the other way round.
-  void redirect(Facet from, Facet to) { cells_[from.cell()].neighbours[from.slot()] = to; }
-  void rename(std::uint32_t cell, const Simplex<D>& vertices) { cells_[cell].vertices = vertices; }
+  void redirect(Facet from, Facet to) { neighbours_[from.cell()][from.slot()] = to.code(); }
 
   /// REQUIRES: it is one of the cell's.
   std::size_t slot_of(std::uint32_t cell, std::uint32_t vertex) const {
@@ -78,18 +88,28 @@ class SimplexStore {
     return slot;
   }
 
-  /// Asks for the neighbours of a cell that will be visited soon: no effect but speed.
-  void prefetch_neighbours(std::uint32_t cell) const {
+  /// Asks for the vertices of a cell that will be looked at soon: no effect but speed.
+  void prefetch_vertices([[maybe_unused]] std::uint32_t cell) const {
 #if defined(__GNUC__)
-    for (const Facet f : cells_[cell].neighbours) {
-      __builtin_prefetch(&cells_[f.cell()]);
-      __builtin_prefetch(&marks_[f.cell()]);
-    }
+    __builtin_prefetch(&vertices_[cell]);
+#endif
+  }
+  void prefetch_neighbours([[maybe_unused]] std::uint32_t cell) const {
+#if defined(__GNUC__)
+    __builtin_prefetch(&neighbours_[cell]);
 #endif
   }
 
-  std::uint32_t mark(std::uint32_t cell) const { return marks_[cell]; }
-  void set_mark(std::uint32_t cell, std::uint32_t mark) { marks_[cell] = mark; }
+  Mark mark(std::uint32_t cell) const { return marks_[cell]; }
+  /// All three without a branch.
+  void set_mark(std::uint32_t cell, bool in_cavity) { marks_[cell] = static_cast<Mark>(1 + in_cavity); }
+  void clear_mark(std::uint32_t cell) { marks_[cell] = Mark::none; }
+  /// Marks it outside unless it has a mark; true iff it had none.
+  bool mark_if_new(std::uint32_t cell) {
+    const auto mark = static_cast<std::uint8_t>(marks_[cell]);
+    marks_[cell] = static_cast<Mark>(mark | (mark == 0));
+    return mark == 0;
+  }
 
   /// In the plane: a spoke is the edge from a vertex that runs counter-clockwise before its cell, stored as
   /// the facet opposite the cell's third vertex. `ahead` is its far end, `turn` the next spoke
@@ -108,15 +128,70 @@ class SimplexStore {
     return {cell, (at + 2) % 3};
   }
 
+  /// Moves the finite cells to the front, one of the last into each gap, and hands out the arrays: vertices,
+  /// and neighbours as plain cell numbers, kNone across the hull. The store is empty afterwards. Uses no
+  /// memory of its own.
+  void release(std::vector<Simplex<D>>& vertices, std::vector<Simplex<D>>& neighbours);
+
  private:
-  /// In space a cell is half a cache line, and should not lie across two.
-  struct alignas(D == 3 ? 32 : alignof(std::uint32_t)) Cell {
-    Simplex<D> vertices;
-    std::array<Facet, D + 1> neighbours;
-  };
-  std::vector<Cell> cells_;
-  std::vector<std::uint32_t> marks_;
-  std::vector<std::uint32_t> free_;
+  static constexpr Simplex<D> free_cell() {
+    Simplex<D> cell{};
+    cell[0] = kNone;
+    return cell;
+  }
+  static constexpr Simplex<D> no_neighbours() {
+    Simplex<D> codes{};
+    codes.fill(Facet().code());
+    return codes;
+  }
+  void remove_ghosts();
+  void close_gaps();
+  void move(std::uint32_t from, std::uint32_t to);
+
+  std::vector<Simplex<D>> vertices_;
+  std::vector<Simplex<D>> neighbours_;  ///< codes of facets
+  std::vector<Mark> marks_;
 };
+
+template <std::size_t D>
+void SimplexStore<D>::release(std::vector<Simplex<D>>& vertices, std::vector<Simplex<D>>& neighbours) {
+  marks_ = {};
+  remove_ghosts();
+  close_gaps();
+  for (Simplex<D>& codes : neighbours_)
+    for (std::uint32_t& code : codes) code = code == Facet().code() ? kNone : Facet::of_code(code).cell();
+  vertices = std::exchange(vertices_, {});
+  neighbours = std::exchange(neighbours_, {});
+}
+
+template <std::size_t D>
+void SimplexStore<D>::remove_ghosts() {
+  for (std::uint32_t cell = 0; cell < size(); ++cell) {
+    if (is_free(cell) || !is_ghost(cell)) continue;
+    redirect(across({cell, D}), Facet());
+    set_free(cell);
+  }
+}
+
+/// REQUIRES: no ghosts.
+template <std::size_t D>
+void SimplexStore<D>::close_gaps() {
+  std::uint32_t end = size();
+  for (std::uint32_t cell = 0; cell < end; ++cell) {
+    if (!is_free(cell)) continue;
+    while (end > cell && is_free(end - 1)) --end;
+    if (end > cell) move(--end, cell);
+  }
+  vertices_.resize(end);
+  neighbours_.resize(end);
+}
+
+template <std::size_t D>
+void SimplexStore<D>::move(std::uint32_t from, std::uint32_t to) {
+  vertices_[to] = vertices_[from];
+  neighbours_[to] = neighbours_[from];
+  for (std::size_t slot = 0; slot <= D; ++slot)
+    if (const Facet twin = across({to, slot}); twin != Facet()) redirect(twin, {to, slot});
+}
 
 }  // namespace crossloft::detail

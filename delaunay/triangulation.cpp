@@ -4,7 +4,9 @@
 #include <array>
 
 #include "insertion_order.h"
+#include "delaunay_core.h"
 #include "regular3.h"
+#include "vec3_predicates.h"
 #include "weighted_predicates.h"
 
 namespace crossloft {
@@ -36,10 +38,22 @@ void renumber(std::vector<std::array<std::uint32_t, N>>& simplices,
 }  // namespace
 
 Triangulation delaunay_triangulation(std::vector<Vec3> points, unsigned) {
-  std::vector<WeightedPoint> weighted;
-  weighted.reserve(points.size());
-  for (const Vec3& p : points) weighted.push_back({p, 0});
-  return regular_triangulation(weighted);
+  const std::vector<std::uint32_t> order = insertion_order(std::span<const Vec3>(points));
+  {
+    std::vector<Vec3> stored;
+    stored.reserve(points.size());
+    for (const std::uint32_t i : order) stored.push_back(points[i]);
+    points = std::move(stored);
+  }
+  const Vec3Predicates3 predicates(points);
+  detail::DelaunayCore<3, Vec3Predicates3> core(predicates);
+  core.build_in_given_order();
+  Triangulation result;
+  result.dimension = core.dimension();
+  core.release(result.tets.vertices, result.tets.neighbours);
+  for (auto& tet : result.tets.vertices)
+    for (std::uint32_t& v : tet) v = order[v];
+  return result;
 }
 
 Triangulation regular_triangulation(std::span<const WeightedPoint> points) {

@@ -12,7 +12,9 @@ namespace crossloft {
 /// Points in space; the span must stay as it is. REQUIRES: finite coordinates.
 class Vec3Predicates3 {
  public:
-  explicit Vec3Predicates3(std::span<const Vec3> points) : points_(points) {}
+  explicit Vec3Predicates3(std::span<const Vec3> points) : points_(points) {
+    for (const Vec3& p : points) extent_.include(p);
+  }
 
   std::uint32_t size() const { return static_cast<std::uint32_t>(points_.size()); }
   double coordinate(std::uint32_t i, int axis) const {
@@ -30,11 +32,17 @@ class Vec3Predicates3 {
     const auto order = points_[a] <=> points_[b];
     return order < 0 ? -1 : order > 0 ? 1 : 0;
   }
+  LiftedRow lifted(std::uint32_t i, std::uint32_t origin) const {
+    const Vec3 d = points_[i] - points_[origin];
+    return {d, dot(d, d)};
+  }
+  double lifted_error() const { return crossloft::lifted_error(extent_.differences()); }
 
  private:
   std::span<const Vec3> points_;
+  Extent extent_;
 };
 
-static_assert(PointPredicates3<Vec3Predicates3>);
+static_assert(PointPredicates3<Vec3Predicates3> && LiftsPoints<Vec3Predicates3>);
 
 }  // namespace crossloft
