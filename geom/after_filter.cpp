@@ -12,7 +12,6 @@ namespace crossloft {
 namespace {
 
 using namespace filters;
-using small_integers::Points;
 
 // What a failed filter leaves of each determinant (small_integers.h): its constant, and again that of the
 // evaluation, which is smaller when differences are exact; lifts are at most 2 or 3 squares.
@@ -47,69 +46,62 @@ struct InSphere {
   }
 };
 
-/// A row of coordinates relative to an origin, as integers over 2^(low - 1075).
+/// Coordinates relative to an origin, as integers over 2^(low - 1075).
 template <unsigned Bits>
-ExactRow<Bits + 1, 0> aligned_row(int low, const std::array<double, 3>& p,
-                                  const std::array<double, 3>& origin) {
-  const auto d = [&](std::size_t k) {
-    return aligned::align<Bits>(p[k], low) - aligned::align<Bits>(origin[k], low);
+ExactRow<Bits + 1, 0> aligned_row(int low, const Vec3& p, const Vec3& origin) {
+  const auto d = [&](double to, double from) {
+    return aligned::align<Bits>(to, low) - aligned::align<Bits>(from, low);
   };
-  return {d(0), d(1), d(2), FixedInt<0>(1)};
-}
-template <unsigned Bits>
-ExactRow<Bits + 1, 0> aligned_row(int low, const std::array<double, 2>& p,
-                                  const std::array<double, 2>& origin) {
-  return aligned_row<Bits>(low, {p[0], p[1], 0}, {origin[0], origin[1], 0});
+  return {d(p.x, origin.x), d(p.y, origin.y), d(p.z, origin.z), FixedInt<0>(1)};
 }
 
-/// The sign of the determinant on rows relative to the last point, in the narrowest sufficient width; 0 for
-/// NaN or infinity.
-template <class Shape, std::size_t N, std::size_t Dimension>
-int aligned_sign(const Points<N, Dimension>& points) {
+/// In the narrowest sufficient width; 0 for NaN or infinity.
+template <class Shape, class... Points>
+int aligned_sign(const Vec3& origin, const Points&... points) {
   aligned::Span span;
-  for (const auto& p : points)
-    for (const double v : p) span.include(v);
+  const auto include = [&](const Vec3& p) { span.include(p.x), span.include(p.y), span.include(p.z); };
+  include(origin);
+  (include(points), ...);
   if (!span.finite) return 0;
   return aligned::with_width(span.width(), [&]<unsigned Bits>() {
-    const auto evaluate = [&]<std::size_t... I>(std::index_sequence<I...>) {
-      return Shape::determinant(aligned_row<Bits>(span.low, points[I], points[N - 1])...).sign();
-    };
-    return evaluate(std::make_index_sequence<N - 1>());
+    return Shape::determinant(aligned_row<Bits>(span.low, points, origin)...).sign();
   });
 }
 
-template <class Shape, std::size_t N, std::size_t Dimension>
-int sign_after_filter(const Points<N, Dimension>& points) {
-  small_integers::Differences<N - 1, Dimension> differences;
-  if (small_integers::to_differences(points, differences))
-    return small_integers::residue_sign<Shape>(differences);
-  return aligned_sign<Shape>(points);
+/// Out of the way of what is more frequent.
+template <class Shape, class... Points>
+[[gnu::noinline]] int sign_of_doubles(const Vec3& origin, const Points&... points) {
+  small_integers::Differences<sizeof...(Points)> d;
+  if (small_integers::scaled_differences(d, origin, points...)) return small_integers::residue_sign<Shape>(d);
+  return aligned_sign<Shape>(origin, points...);
 }
 
-std::array<double, 2> coordinates(Vec2 v) { return {v.x, v.y}; }
-std::array<double, 3> coordinates(const Vec3& v) { return {v.x, v.y, v.z}; }
+template <class Shape, class... Points>
+int sign_after_filter(const Vec3& origin, const Points&... points) {
+  small_integers::Differences<sizeof...(Points)> d;
+  if (small_integers::integer_differences(d, origin, points...))
+    return small_integers::residue_sign<Shape>(d);
+  return sign_of_doubles<Shape>(origin, points...);
+}
+
+Vec3 flat(Vec2 p) { return {p.x, p.y, 0}; }
 
 }  // namespace
 
-// The origin goes last: for orientations that is an even exchange of rows, b, c (, d) about a.
-
 int orient2d_after_filter(Vec2 a, Vec2 b, Vec2 c) {
-  return sign_after_filter<Orient2d>(std::array{coordinates(b), coordinates(c), coordinates(a)});
+  return sign_after_filter<Orient2d>(flat(a), flat(b), flat(c));
 }
 
 int orient3d_after_filter(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
-  return sign_after_filter<Orient3d>(
-      std::array{coordinates(b), coordinates(c), coordinates(d), coordinates(a)});
+  return sign_after_filter<Orient3d>(a, b, c, d);
 }
 
 int incircle_after_filter(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
-  return sign_after_filter<InCircle>(
-      std::array{coordinates(a), coordinates(b), coordinates(c), coordinates(d)});
+  return sign_after_filter<InCircle>(flat(d), flat(a), flat(b), flat(c));
 }
 
 int insphere_after_filter(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& e) {
-  return sign_after_filter<InSphere>(
-      std::array{coordinates(a), coordinates(b), coordinates(c), coordinates(d), coordinates(e)});
+  return sign_after_filter<InSphere>(e, a, b, c, d);
 }
 
 }  // namespace crossloft

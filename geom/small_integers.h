@@ -25,108 +25,123 @@ namespace crossloft::small_integers {
 /// The most bits of coordinates: their differences then fit FixedInt<62>, one limb.
 inline constexpr int kCoordinateBits = 61;
 
+struct IntegerRow {
+  std::int64_t x, y, z;
+};
+
 /// Differences to the last of Count + 1 points in units of a power of two, all |d| <= 2^bits.
-template <std::size_t Count, std::size_t Dimension>
+template <std::size_t Count>
 struct Differences {
-  std::array<std::array<std::int64_t, Dimension>, Count> rows;
+  std::array<IntegerRow, Count> rows;
   int bits;
 };
 
-template <std::size_t N, std::size_t Dimension>
-using Points = std::array<std::array<double, Dimension>, N>;
-
 inline std::uint64_t bits_of(double v) { return std::bit_cast<std::uint64_t>(v); }
 
-/// Has its highest bit at position b for the least b with -2^b <= v < 2^b; for |v| < 2^62. Shifts of signed
-/// words are no vector operation on every machine, these are.
-inline std::uint64_t extent(std::int64_t v) {
-  const auto u = static_cast<std::uint64_t>(v);
-  return u ^ (u << 1);
-}
-inline int bits_of_extent(std::uint64_t extent) { return static_cast<int>(std::bit_width(extent)) - 1; }
+/// The width of words v with |v| < 2^62, by their exclusive or with their doubles: its highest bit is at
+/// position b for the least b with -2^b <= v < 2^b.
+struct Extent {
+  std::uint64_t all = 1;
 
-/// Integers -2^51 <= x < 2^51 as they are, by adding 1.5 * 2^52: the last bits of the sum are x, if and only
-/// if the sum has the exponent of 2^52 and is exact. No branch and no conversion, so that it vectorises.
-template <std::size_t N, std::size_t Dimension>
-bool integer_differences(const Points<N, Dimension>& points, Differences<N - 1, Dimension>& d) {
-  constexpr double kShifter = 0x1.8p52;
-  std::array<std::array<std::uint64_t, Dimension>, N> shifted;
-  std::uint64_t inexact = 0, exponents = 0, extents = 1;
-  for (std::size_t i = 0; i < N; ++i)
-    for (std::size_t k = 0; k < Dimension; ++k) {
-      const double v = points[i][k], sum = v + kShifter;
-      shifted[i][k] = bits_of(sum);
-      inexact |= bits_of(sum - kShifter) ^ bits_of(v);
-      exponents |= shifted[i][k] ^ bits_of(kShifter);
-    }
-  for (std::size_t i = 0; i + 1 < N; ++i)
-    for (std::size_t k = 0; k < Dimension; ++k) {
-      d.rows[i][k] = static_cast<std::int64_t>(shifted[i][k] - shifted[N - 1][k]);
-      extents |= extent(d.rows[i][k]);
-    }
-  d.bits = bits_of_extent(extents);
-  return (inexact << 1) == 0 && (exponents >> 52) == 0;  // the sign bit alone: a negative zero
-}
+  static std::uint64_t of(std::int64_t v) {
+    const auto u = static_cast<std::uint64_t>(v);
+    return u ^ (u << 1);
+  }
+  void include(const IntegerRow& r) { all |= of(r.x) | of(r.y) | of(r.z); }
+  int bits() const { return static_cast<int>(std::bit_width(all)) - 1; }
+};
 
-/// The largest |coordinate|, four at a time; NaN is passed over.
-template <std::size_t N, std::size_t Dimension>
-double largest_coordinate(const Points<N, Dimension>& points) {
-  std::array<double, (N * Dimension + 3) / 4 * 4> all{};
-  for (std::size_t i = 0; i < N; ++i)
-    for (std::size_t k = 0; k < Dimension; ++k) all[i * Dimension + k] = std::fabs(points[i][k]);
-  std::array<double, 4> largest{};
-  for (std::size_t i = 0; i < all.size(); i += 4)
-    for (std::size_t k = 0; k < 4; ++k) largest[k] = largest[k] < all[i + k] ? all[i + k] : largest[k];
-  return std::max(std::max(largest[0], largest[1]), std::max(largest[2], largest[3]));
+/// Integers -2^51 <= x < 2^51 by adding 1.5 * 2^52: the last bits of the sum are x if and only if the sum has
+/// the exponent of 2^52 and is exact. No branch and no conversion, so that it vectorises.
+class IntegerReader {
+ public:
+  /// Rows whose differences are those of the points.
+  IntegerRow read(const Vec3& p) { return {read(p.x), read(p.y), read(p.z)}; }
+  /// All that was read was in range. The sign bit alone is a negative zero.
+  bool exact() const { return (inexact_ << 1) == 0 && (exponents_ >> 52) == 0; }
+
+ private:
+  std::int64_t read(double v) {
+    constexpr double kShifter = 0x1.8p52;
+    const double sum = v + kShifter;
+    inexact_ |= bits_of(sum - kShifter) ^ bits_of(v);
+    exponents_ |= bits_of(sum) ^ bits_of(kShifter);
+    return static_cast<std::int64_t>(bits_of(sum));
+  }
+  std::uint64_t inexact_ = 0, exponents_ = 0;
+};
+
+inline IntegerRow operator-(const IntegerRow& a, const IntegerRow& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+inline IntegerRow operator>>(const IntegerRow& a, int shift) {
+  return {a.x >> shift, a.y >> shift, a.z >> shift};
 }
 
-/// Coordinates as integers |c| < 2^61, x = c times a power of two; common factors of two are removed from the
-/// differences. False if a coordinate is NaN or has bits below that unit, or if the largest is outside
-/// 2^-39..2^140: with a unit of 2^-99 or more and differences below 2^142 the filters on doubles
-/// (double_filters.h) then were in range, or a column is zero.
-template <std::size_t N, std::size_t Dimension>
-bool scaled_differences(const Points<N, Dimension>& points, Differences<N - 1, Dimension>& d) {
-  const double largest = largest_coordinate(points);
-  if (!(largest >= 0x1p-39 && largest <= 0x1p140)) return false;
-  const std::uint64_t exponent = bits_of(largest) >> 52;  // biased: largest < 2^(exponent - 1022)
-  const double scale = std::bit_cast<double>((2045 + kCoordinateBits - exponent) << 52);
-  const double unit = std::bit_cast<double>((exponent + 1 - kCoordinateBits) << 52);
-  std::array<std::array<std::int64_t, Dimension>, N> integers;
-  std::uint64_t inexact = 0, all = 0, extents = 1;
-  for (std::size_t i = 0; i < N; ++i)
-    for (std::size_t k = 0; k < Dimension; ++k) {
-      const double v = points[i][k] * scale;
-      integers[i][k] = static_cast<std::int64_t>(v < 0x1p61 ? v : 0x1p61);  // NaN, too, becomes a number
-      inexact |= bits_of(static_cast<double>(integers[i][k]) * unit) ^ bits_of(points[i][k]);
-    }
-  if (inexact << 1 != 0) return false;
-  for (std::size_t i = 0; i + 1 < N; ++i)
-    for (std::size_t k = 0; k < Dimension; ++k) {
-      d.rows[i][k] = integers[i][k] - integers[N - 1][k];
-      all |= static_cast<std::uint64_t>(d.rows[i][k]);
-      extents |= extent(d.rows[i][k]);
-    }
-  const int shift = all == 0 ? 0 : std::countr_zero(all);
-  for (auto& row : d.rows)
-    for (std::int64_t& v : row) v >>= shift;
-  d.bits = std::max(0, bits_of_extent(extents) - shift);
+/// Differences of points with integer coordinates, -2^51 <= x < 2^51; false if they are not.
+template <class... Points>
+bool integer_differences(Differences<sizeof...(Points)>& d, const Vec3& origin, const Points&... points) {
+  IntegerReader reader;
+  const IntegerRow from = reader.read(origin);
+  d.rows = {(reader.read(points) - from)...};
+  if (!reader.exact()) return false;
+  Extent extent;
+  for (const IntegerRow& row : d.rows) extent.include(row);
+  d.bits = extent.bits();
   return true;
 }
 
-template <std::size_t N, std::size_t Dimension>
-bool to_differences(const Points<N, Dimension>& points, Differences<N - 1, Dimension>& d) {
-  return integer_differences(points, d) || scaled_differences(points, d);
+inline double largest_coordinate(const Vec3& p) { return filters::largest(p.x, p.y, p.z); }
+
+/// Integers |c| < 2^61 with x = c times a power of two, given the largest coordinate.
+class ScaledReader {
+ public:
+  explicit ScaledReader(double largest) {
+    const std::uint64_t exponent = bits_of(largest) >> 52;  // biased: largest < 2^(exponent - 1022)
+    scale_ = std::bit_cast<double>((2045 + kCoordinateBits - exponent) << 52);
+    unit_ = std::bit_cast<double>((exponent + 1 - kCoordinateBits) << 52);
+  }
+  IntegerRow read(const Vec3& p) { return {read(p.x), read(p.y), read(p.z)}; }
+  /// All that was read were multiples of the unit; the sign bit alone is a negative zero.
+  bool exact() const { return (inexact_ << 1) == 0; }
+
+ private:
+  std::int64_t read(double v) {
+    const double scaled = v * scale_;
+    const auto c = static_cast<std::int64_t>(scaled < 0x1p61 ? scaled : 0x1p61);  // NaN becomes a number
+    inexact_ |= bits_of(static_cast<double>(c) * unit_) ^ bits_of(v);
+    return c;
+  }
+  double scale_, unit_;
+  std::uint64_t inexact_ = 0;
+};
+
+/// Differences of coordinates that are integers of 61 bits over a common power of two, common factors of two
+/// removed. False if a coordinate is NaN or has bits below that unit, or if the largest is outside
+/// 2^-39..2^140: with a unit of 2^-99 or more and differences below 2^142 the filters on doubles
+/// (double_filters.h) then were in range, or a column is zero.
+template <class... Points>
+bool scaled_differences(Differences<sizeof...(Points)>& d, const Vec3& origin, const Points&... points) {
+  double largest = largest_coordinate(origin);  // maxima pass over NaN
+  ((largest = std::max(largest_coordinate(points), largest)), ...);
+  if (!(largest >= 0x1p-39 && largest <= 0x1p140)) return false;
+  ScaledReader reader(largest);
+  const IntegerRow from = reader.read(origin);
+  d.rows = {(reader.read(points) - from)...};
+  if (!reader.exact()) return false;
+  std::int64_t all = 0;
+  Extent extent;
+  for (const IntegerRow& row : d.rows) all |= row.x | row.y | row.z, extent.include(row);
+  const int shift = all == 0 ? 0 : std::countr_zero(static_cast<std::uint64_t>(all));
+  for (IntegerRow& row : d.rows) row = row >> shift;
+  d.bits = std::max(0, extent.bits() - shift);
+  return true;
 }
 
 template <unsigned Bits, std::size_t Limbs>
-ExactRow<Bits, 0, Limbs> row(const std::array<std::int64_t, 3>& d) {
+ExactRow<Bits, 0, Limbs> exact_row(const IntegerRow& d) {
   using Entry = FixedInt<Bits, Limbs>;
-  return {Entry(d[0]), Entry(d[1]), Entry(d[2]), FixedInt<0, Limbs>(1)};
-}
-template <unsigned Bits, std::size_t Limbs>
-ExactRow<Bits, 0, Limbs> row(const std::array<std::int64_t, 2>& d) {
-  using Entry = FixedInt<Bits, Limbs>;
-  return {Entry(d[0]), Entry(d[1]), Entry(0), FixedInt<0, Limbs>(1)};
+  return {Entry(d.x), Entry(d.y), Entry(d.z), FixedInt<0, Limbs>(1)};
 }
 
 /// The largest b with error 2^(degree b) < 2^(64 limbs - 1), for `error` the part of the product of the
@@ -142,19 +157,23 @@ constexpr unsigned max_bits(double error, unsigned degree, std::size_t limbs) {
   return bits;
 }
 
-/// The sign of Shape::determinant(rows) after the failed filter of that shape, in the fewest limbs. A shape
-/// names its degree, kDegree, and what the filter has left: kError, and kExactError if differences were exact
-/// doubles.
-template <class Shape, std::size_t Limbs = 1, std::size_t Count, std::size_t Dimension>
-int residue_sign(const Differences<Count, Dimension>& d) {
+/// What a failed filter of `Shape` leaves allows differences of so many bits in `Limbs` limbs. A shape names
+/// its degree, kDegree, and that error: kError, and kExactError if differences were exact doubles.
+template <class Shape>
+constexpr unsigned residue_bits(std::size_t limbs) {
   constexpr unsigned kDouble = 53;
-  constexpr unsigned exact = max_bits(Shape::kExactError, Shape::kDegree, Limbs);
-  constexpr unsigned bits =
-      exact <= kDouble ? exact : std::max(kDouble, max_bits(Shape::kError, Shape::kDegree, Limbs));
+  const unsigned exact = max_bits(Shape::kExactError, Shape::kDegree, limbs);
+  return exact <= kDouble ? exact : std::max(kDouble, max_bits(Shape::kError, Shape::kDegree, limbs));
+}
+
+/// The sign of Shape::determinant(rows) after the failed filter of that shape, in the fewest limbs.
+template <class Shape, std::size_t Limbs = 1, std::size_t Count>
+int residue_sign(const Differences<Count>& d) {
+  constexpr unsigned bits = residue_bits<Shape>(Limbs);
   if constexpr (bits <= kCoordinateBits)
     if (d.bits > static_cast<int>(bits)) return residue_sign<Shape, Limbs + 1>(d);
   const auto evaluate = [&]<std::size_t... I>(std::index_sequence<I...>) {
-    return Shape::determinant(row<bits, Limbs>(d.rows[I])...).sign();
+    return Shape::determinant(exact_row<bits, Limbs>(d.rows[I])...).sign();
   };
   return evaluate(std::make_index_sequence<Count>());
 }
