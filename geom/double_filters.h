@@ -13,12 +13,6 @@
 
 namespace crossloft {
 
-// What the filter left open, exact. REQUIRES: the filter of the same name gave 0.
-int orient2d_after_filter(Vec2 a, Vec2 b, Vec2 c);
-int orient3d_after_filter(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
-int incircle_after_filter(Vec2 a, Vec2 b, Vec2 c, Vec2 d);
-int insphere_after_filter(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& e);
-
 namespace filters {
 
 inline constexpr double kSmallest = 0x1p-100;

@@ -1,74 +1,129 @@
 #pragma once
-/// The second stage of the predicates: coordinates that are integers of at most 61 bits over a common power
-/// of two, and determinants of their differences in as few limbs as the failed filter allows. For geom's
-/// sources only.
+/// The second stage of the predicates: differences of coordinates as integers of one limb, and determinants
+/// of them in as few limbs as the failed filter allows. For geom's sources only.
 ///
-/// A filter that cannot tell has still measured: with det its estimate, |det| <= e size and |det - D| <= e'
-/// size for the true D, so |D| <= (e + e') size, some 2^-43 of what the terms of an in-sphere may reach. That
-/// many leading bits are known to be zero, and D is computed modulo 2^64, 2^128, ... only
-/// (FixedInt<Bits, Cap>): residues with an approximation decide, after Broennimann, Emiris, Pan and Pion,
-/// Sign determination in residue number systems, 1999, with a power of two as the modulus. `max_bits` turns
-/// the constants into the widths of the differences for which a number of limbs suffices.
+/// A filter that cannot tell has still measured: its estimate is within `bound` of 0 and within `bound` of
+/// the true determinant, which therefore is at most 2 bound, some 2^-43 of what the terms of an in-sphere may
+/// reach. That many leading bits are known to be zero, and the determinant is computed modulo 2^64, 2^128,
+/// ... only (FixedInt<Bits, Cap>): residues with an approximation decide, after H. Broennimann, I. Emiris, V.
+/// Pan and S. Pion, Sign determination in residue number systems, 1999, with a power of two as the modulus.
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <utility>
 
 #include "difference_filters.h"
 #include "exact_rows.h"
 
 namespace crossloft::small_integers {
 
-/// The most bits of coordinates: their differences then fit FixedInt<62>, one limb.
-inline constexpr int kCoordinateBits = 61;
+// The determinants: their degree, and the formula on integer rows relative to a point.
+
+struct Orient2d {
+  static constexpr unsigned kDegree = 2;
+  static auto determinant(const auto& p, const auto& q) { return orientation_about(p, q); }
+};
+struct Orient3d {
+  static constexpr unsigned kDegree = 3;
+  static auto determinant(const auto& p, const auto& q, const auto& r) { return det3(p, q, r); }
+};
+struct InCircle {
+  static constexpr unsigned kDegree = 4;
+  static auto determinant(const auto& p, const auto& q, const auto& r) { return in_circle_about(p, q, r); }
+};
+struct InSphere {
+  static constexpr unsigned kDegree = 5;
+  static auto determinant(const auto& p, const auto& q, const auto& r, const auto& s) {
+    return in_sphere_about(p, q, r, s);
+  }
+};
 
 struct IntegerRow {
   std::int64_t x, y, z;
 };
 
-/// Differences to the last of Count + 1 points in units of a power of two, all |d| <= 2^bits.
-template <std::size_t Count>
-struct Differences {
-  std::array<IntegerRow, Count> rows;
-  int bits;
-};
+template <unsigned Bits, std::size_t Cap>
+ExactRow<Bits, 0, Cap> exact_row(const IntegerRow& d) {
+  using Entry = FixedInt<Bits, Cap>;
+  return {Entry(d.x), Entry(d.y), Entry(d.z), FixedInt<0, Cap>(1)};
+}
 
-inline std::uint64_t bits_of(double v) { return std::bit_cast<std::uint64_t>(v); }
+constexpr double power(double base, unsigned exponent) {
+  double r = 1;
+  for (unsigned i = 0; i < exponent; ++i) r *= base;
+  return r;
+}
 
-/// The width of words v with |v| < 2^62, by their exclusive or with their doubles: its highest bit is at
-/// position b for the least b with -2^b <= v < 2^b.
-struct Extent {
-  std::uint64_t all = 1;
+/// The sign of Shape::determinant(rows), of which |value| <= limit is known, in the fewest limbs that hold
+/// `limit`. REQUIRES: |entries| <= 2^Bits. The limit's own rounding is far below the factor 2 of room.
+template <class Shape, unsigned Bits, std::size_t Limbs = 1, class... Rows>
+int residue_sign(double limit, const Rows&... rows) {
+  using Full = decltype(Shape::determinant(exact_row<Bits, kNoCap>(rows)...));
+  if constexpr (Limbs < Full::kLimbs)
+    if (!(limit <= 0x1p62 * power(0x1p64, Limbs - 1)))
+      return residue_sign<Shape, Bits, Limbs + 1>(limit, rows...);
+  return Shape::determinant(exact_row<Bits, Limbs>(rows)...).sign();
+}
 
-  static std::uint64_t of(std::int64_t v) {
-    const auto u = static_cast<std::uint64_t>(v);
-    return u ^ (u << 1);
-  }
-  void include(const IntegerRow& r) { all |= of(r.x) | of(r.y) | of(r.z); }
-  int bits() const { return static_cast<int>(std::bit_width(all)) - 1; }
-};
+/// Differences below this are exact in doubles between integers, and fit a limb with room.
+inline constexpr unsigned kDifferenceBits = 52;
+inline constexpr double kLargestDifference = 0x1p52;
 
-/// Integers -2^51 <= x < 2^51 by adding 1.5 * 2^52: the last bits of the sum are x if and only if the sum has
-/// the exponent of 2^52 and is exact. No branch and no conversion, so that it vectorises.
-class IntegerReader {
+/// Of differences that are integers |d| <= 2^52 over 1 / scale, a power of two.
+template <class Shape, class... Rows>
+int difference_sign(double bound, double scale, const Rows&... rows) {
+  const auto integers = [scale](const Vec3& d) -> IntegerRow {
+    return {static_cast<std::int64_t>(d.x * scale), static_cast<std::int64_t>(d.y * scale),
+            static_cast<std::int64_t>(d.z * scale)};
+  };
+  return residue_sign<Shape, kDifferenceBits>(2 * bound * power(scale, Shape::kDegree), integers(rows)...);
+}
+
+/// Adds up the distances of coordinates to integers: 0 for integers, NaN for NaN and infinity. Beyond 2^52
+/// all doubles are integers and adding kShifter may round, which finds some distance or none.
+inline double distance_to_integer(double v) {
+  constexpr double kShifter = 0x1.8p52;
+  return std::fabs((v + kShifter) - kShifter - v);
+}
+inline double distance_to_integers(const Vec3& p) {
+  return distance_to_integer(p.x) + distance_to_integer(p.y) + distance_to_integer(p.z);
+}
+
+/// The most bits of scaled coordinates: their differences then fit FixedInt<62>, one limb.
+inline constexpr int kCoordinateBits = 61;
+
+/// Integers |c| < 2^61 with x = c times a power of two, given the largest coordinate.
+class ScaledReader {
  public:
-  /// Rows whose differences are those of the points.
-  IntegerRow read(const Vec3& p) { return {read(p.x), read(p.y), read(p.z)}; }
-  /// All that was read was in range. The sign bit alone is a negative zero.
-  bool exact() const { return (inexact_ << 1) == 0 && (exponents_ >> 52) == 0; }
+  explicit ScaledReader(double largest) {
+    const std::uint64_t exponent = std::bit_cast<std::uint64_t>(largest) >> 52;  // largest < 2^(it - 1022)
+    scale_ = std::bit_cast<double>((2045 + kCoordinateBits - exponent) << 52);
+    unit_ = std::bit_cast<double>((exponent + 1 - kCoordinateBits) << 52);
+  }
+  /// Whether a reader can be made, and the fifth power of its scale: no less than the filters' own range
+  /// admits, as long as the coordinates are not far larger than their differences.
+  static bool in_range(double largest) { return largest >= 0x1p-101 && largest <= 0x1p200; }
+
+  /// REQUIRES: no coordinate larger than was said.
+  IntegerRow read(const Vec3& p) {
+    const auto integer = [this](double v) { return static_cast<std::int64_t>(v * scale_); };
+    const IntegerRow c{integer(p.x), integer(p.y), integer(p.z)};
+    const auto distance = [this](std::int64_t i, double v) {
+      return std::fabs(static_cast<double>(i) * unit_ - v);
+    };
+    distance_ += distance(c.x, p.x) + distance(c.y, p.y) + distance(c.z, p.z);
+    return c;
+  }
+  /// All that was read were multiples of the unit.
+  bool exact() const { return distance_ == 0; }
+  double scale() const { return scale_; }
 
  private:
-  std::int64_t read(double v) {
-    constexpr double kShifter = 0x1.8p52;
-    const double sum = v + kShifter;
-    inexact_ |= bits_of(sum - kShifter) ^ bits_of(v);
-    exponents_ |= bits_of(sum) ^ bits_of(kShifter);
-    return static_cast<std::int64_t>(bits_of(sum));
-  }
-  std::uint64_t inexact_ = 0, exponents_ = 0;
+  double scale_, unit_;
+  double distance_ = 0;  ///< between the numbers read and the multiples of the unit
 };
 
 inline IntegerRow operator-(const IntegerRow& a, const IntegerRow& b) {
@@ -77,105 +132,30 @@ inline IntegerRow operator-(const IntegerRow& a, const IntegerRow& b) {
 inline IntegerRow operator>>(const IntegerRow& a, int shift) {
   return {a.x >> shift, a.y >> shift, a.z >> shift};
 }
+inline std::uint64_t all_bits(const IntegerRow& d) { return static_cast<std::uint64_t>(d.x | d.y | d.z); }
 
-/// Differences of points with integer coordinates, -2^51 <= x < 2^51; false if they are not.
-template <class... Points>
-bool integer_differences(Differences<sizeof...(Points)>& d, const Vec3& origin, const Points&... points) {
-  IntegerReader reader;
-  const IntegerRow from = reader.read(origin);
-  d.rows = {(reader.read(points) - from)...};
-  if (!reader.exact()) return false;
-  Extent extent;
-  for (const IntegerRow& row : d.rows) extent.include(row);
-  d.bits = extent.bits();
-  return true;
-}
-
-inline double largest_coordinate(const Vec3& p) { return filters::largest(p.x, p.y, p.z); }
-
-/// Integers |c| < 2^61 with x = c times a power of two, given the largest coordinate.
-class ScaledReader {
- public:
-  explicit ScaledReader(double largest) {
-    const std::uint64_t exponent = bits_of(largest) >> 52;  // biased: largest < 2^(exponent - 1022)
-    scale_ = std::bit_cast<double>((2045 + kCoordinateBits - exponent) << 52);
-    unit_ = std::bit_cast<double>((exponent + 1 - kCoordinateBits) << 52);
-  }
-  IntegerRow read(const Vec3& p) { return {read(p.x), read(p.y), read(p.z)}; }
-  /// All that was read were multiples of the unit; the sign bit alone is a negative zero.
-  bool exact() const { return (inexact_ << 1) == 0; }
-
- private:
-  std::int64_t read(double v) {
-    const double scaled = v * scale_;
-    const auto c = static_cast<std::int64_t>(scaled < 0x1p61 ? scaled : 0x1p61);  // NaN becomes a number
-    inexact_ |= bits_of(static_cast<double>(c) * unit_) ^ bits_of(v);
-    return c;
-  }
-  double scale_, unit_;
-  std::uint64_t inexact_ = 0;
-};
-
-/// Differences of coordinates that are integers of 61 bits over a common power of two, common factors of two
-/// removed. False if a coordinate is NaN or has bits below that unit, or if the largest is outside
-/// 2^-39..2^140: with a unit of 2^-99 or more and differences below 2^142 the filters on doubles
-/// (double_filters.h) then were in range, or a column is zero.
-template <class... Points>
-bool scaled_differences(Differences<sizeof...(Points)>& d, const Vec3& origin, const Points&... points) {
-  double largest = largest_coordinate(origin);  // maxima pass over NaN
-  ((largest = std::max(largest_coordinate(points), largest)), ...);
-  if (!(largest >= 0x1p-39 && largest <= 0x1p140)) return false;
+/// Sign of the determinant of points relative to an origin into `sign`, if all coordinates are integers of 61
+/// bits over a common power of two. REQUIRES: coordinates finite; |determinant| <= 2 bound, in their units.
+template <class Shape, class... Points>
+bool scaled_sign(double bound, int& sign, const Vec3& origin, const Points&... points) {
+  double largest = filters::largest(origin.x, origin.y, origin.z);
+  ((largest = std::max(filters::largest(points.x, points.y, points.z), largest)), ...);
+  if (!ScaledReader::in_range(largest)) return false;
   ScaledReader reader(largest);
   const IntegerRow from = reader.read(origin);
-  d.rows = {(reader.read(points) - from)...};
+  const std::array<IntegerRow, sizeof...(Points)> rows{(reader.read(points) - from)...};
   if (!reader.exact()) return false;
-  std::int64_t all = 0;
-  Extent extent;
-  for (const IntegerRow& row : d.rows) all |= row.x | row.y | row.z, extent.include(row);
-  const int shift = all == 0 ? 0 : std::countr_zero(static_cast<std::uint64_t>(all));
-  for (IntegerRow& row : d.rows) row = row >> shift;
-  d.bits = std::max(0, extent.bits() - shift);
-  return true;
-}
-
-template <unsigned Bits, std::size_t Limbs>
-ExactRow<Bits, 0, Limbs> exact_row(const IntegerRow& d) {
-  using Entry = FixedInt<Bits, Limbs>;
-  return {Entry(d.x), Entry(d.y), Entry(d.z), FixedInt<0, Limbs>(1)};
-}
-
-/// The largest b with error 2^(degree b) < 2^(64 limbs - 1), for `error` the part of the product of the
-/// column maxima and of the largest lift, in units of the longest difference, that a failed filter leaves.
-constexpr unsigned max_bits(double error, unsigned degree, std::size_t limbs) {
-  double room = 0x1p63 / (error * filters::kRoom);
-  for (std::size_t i = 1; i < limbs; ++i) room *= 0x1p64;
-  unsigned bits = 0;
-  for (double next = room; bits < kCoordinateBits + 1; ++bits) {
-    for (unsigned i = 0; i < degree; ++i) next *= 0.5;
-    if (!(next > 1)) break;
+  std::uint64_t all = 0;
+  for (const IntegerRow& row : rows) all |= all_bits(row);
+  const int shift = std::min(std::countr_zero(all), kCoordinateBits);
+  // Zeros at the end of all differences divide the determinant.
+  const double scale = reader.scale() * std::bit_cast<double>(static_cast<std::uint64_t>(1023 - shift) << 52);
+  const double limit = 2 * bound * power(scale, Shape::kDegree);
+  sign = [&]<std::size_t... I>(std::index_sequence<I...>) {
+    return residue_sign<Shape, kCoordinateBits + 1>(limit, (rows[I] >> shift)...);
   }
-  return bits;
-}
-
-/// What a failed filter of `Shape` leaves allows differences of so many bits in `Limbs` limbs. A shape names
-/// its degree, kDegree, and that error: kError, and kExactError if differences were exact doubles.
-template <class Shape>
-constexpr unsigned residue_bits(std::size_t limbs) {
-  constexpr unsigned kDouble = 53;
-  const unsigned exact = max_bits(Shape::kExactError, Shape::kDegree, limbs);
-  return exact <= kDouble ? exact : std::max(kDouble, max_bits(Shape::kError, Shape::kDegree, limbs));
-}
-
-/// The sign of Shape::determinant(rows) after the failed filter of that shape, in the fewest limbs.
-template <class Shape, std::size_t Limbs = 1, std::size_t Count>
-int residue_sign(const Differences<Count>& d) {
-  constexpr unsigned bits = residue_bits<Shape>(Limbs);
-  if constexpr (bits <= kCoordinateBits)
-    if (d.bits > static_cast<int>(bits)) return residue_sign<Shape, Limbs + 1>(d);
-  const auto evaluate = [&]<std::size_t... I>(std::index_sequence<I...>) {
-    return Shape::determinant(exact_row<bits, Limbs>(d.rows[I])...).sign();
-  };
-  return evaluate(std::make_index_sequence<Count>());
+  (std::make_index_sequence<sizeof...(Points)>());
+  return true;
 }
 
 }  // namespace crossloft::small_integers
