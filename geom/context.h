@@ -19,15 +19,9 @@ struct Context {
   /// Worker threads, the calling one included; 0 means one per core. The result never depends on it.
   unsigned threads = 1;
 
-  void note(std::string_view text) const {
-    if (log) log(LogLevel::note, text);
-  }
-  void warn(std::string_view text) const {
-    if (log) log(LogLevel::warning, text);
-  }
-  void report(std::string_view stage, double fraction) const {
-    if (progress) progress(stage, fraction);
-  }
+  void note(std::string_view text) const { if (log) log(LogLevel::note, text); }
+  void warn(std::string_view text) const { if (log) log(LogLevel::warning, text); }
+  void report(std::string_view stage, double fraction) const { if (progress) progress(stage, fraction); }
   bool cancelled() const { return cancel != nullptr && cancel->load(std::memory_order_relaxed); }
 };
 

@@ -92,8 +92,8 @@ int side_of_plane(const LatticePlane& plane, const LatticePoint& p);
 
 /// Sign of det(b-a, c-a, d-a): +1 if d is on the side from which a, b, c turn counter-clockwise.
 int orient3d(const LatticePoint& a, const LatticePoint& b, const LatticePoint& c, const LatticePoint& d);
-/// +1 if e is inside the sphere through a, b, c, d, 0 on it. REQUIRES: orient3d(a,b,c,d) > 0 for that
-/// meaning; the sign flips with the orientation.
+/// +1 if e is inside the sphere through a, b, c, d, 0 on it. REQUIRES: orient3d(a,b,c,d) > 0 for that meaning;
+/// the sign flips with the orientation.
 int insphere(const LatticePoint& a, const LatticePoint& b, const LatticePoint& c, const LatticePoint& d,
              const LatticePoint& e);
 

@@ -5,8 +5,8 @@
 
 namespace crossloft {
 
-/// N.p - N.o rounded: the relative error is at most 2^-51 (2^-53 for an explicit point), also next to the
-/// plane, where doubles alone would cancel. Sign as side_of_plane.
+/// N.p - N.o rounded: the relative error is at most 2^-51 (2^-53 for an explicit point), also next to the plane,
+/// where doubles alone would cancel. Sign as side_of_plane.
 double plane_value(const LatticePlane& plane, const LatticePoint& p);
 
 /// The dominant axis of the direction N_a x N_b of the common line, exact; -1 if the planes are parallel.

@@ -11,43 +11,40 @@
 namespace crossloft {
 
 enum class ErrorCode : std::uint8_t {
-  usage,                 ///< an argument makes no sense (program exit 2)
-  file_not_readable,     ///< no such file, no permission, or it vanished while read
-  file_not_writable,     ///< the target could not be written whole; it is left as it was
-  syntax,                ///< the text is not of the format
-  truncated,             ///< the file ends before its counts say so
-  bad_count,             ///< a count that is negative, fractional or absurd
-  index_out_of_range,    ///< an edge or component names a vertex that is not there
-  not_finite,            ///< NaN or infinity among the coordinates
-  zero_normal,           ///< a plane without direction
-  off_plane,             ///< a vertex further from its plane than the plane tolerance
-  open_chain,            ///< contour edges that do not close
-  self_crossing,         ///< contour edges of one plane that cross each other
-  contradicting_planes,  ///< the same plane given twice with sections that contradict
-  no_plane,              ///< a file without a cutting plane
-  not_closed,            ///< a mesh that bounds no solid, where one is needed
-  too_large,             ///< over a limit of an index or coordinate type
-  cancelled,             ///< the context's cancel flag was raised
-  internal,              ///< a broken invariant: a defect of this library (program exit 4)
+  usage,                  ///< an argument makes no sense (program exit 2)
+  file_not_readable,      ///< no such file, no permission, or it vanished while read
+  file_not_writable,      ///< the target could not be written whole; it is left as it was
+  syntax,                 ///< the text is not of the format
+  truncated,              ///< the file ends before its counts say so
+  bad_count,              ///< a count that is negative, fractional or absurd
+  index_out_of_range,     ///< an edge or component names a vertex that is not there
+  not_finite,             ///< NaN or infinity among the coordinates
+  zero_normal,            ///< a plane without direction
+  off_plane,              ///< a vertex further from its plane than the plane tolerance
+  open_chain,             ///< contour edges that do not close
+  self_crossing,          ///< contour edges of one plane that cross each other
+  contradicting_planes,   ///< the same plane given twice with sections that contradict
+  no_plane,               ///< a file without a cutting plane
+  not_closed,             ///< a mesh that bounds no solid, where one is needed
+  too_large,              ///< over a limit of an index or coordinate type
+  cancelled,              ///< the context's cancel flag was raised
+  internal,               ///< a broken invariant: a defect of this library (program exit 4)
 };
 
 /// What went wrong and where. Fields that do not apply hold 0 (line) or kNone.
 struct Error {
   ErrorCode code = ErrorCode::internal;
-  std::string message;            ///< one sentence without file or line
-  std::string file;               ///< as the user named it
-  std::uint32_t line = 0;         ///< 1-based
-  std::uint32_t plane = kNone;    ///< 0-based position in the file
-  std::uint32_t contour = kNone;  ///< 0-based position in its plane
+  std::string message;             ///< one sentence without file or line
+  std::string file;                ///< as the user named it
+  std::uint32_t line = 0;          ///< 1-based
+  std::uint32_t plane = kNone;     ///< 0-based position in the file
+  std::uint32_t contour = kNone;   ///< 0-based position in its plane
 };
 
 /// An error without a place.
-inline Error make_error(ErrorCode code, std::string message) {
-  return {code, std::move(message), {}, 0, kNone, kNone};
-}
+inline Error make_error(ErrorCode code, std::string message) { return {code, std::move(message), {}, 0, kNone, kNone}; }
 
-/// "FILE:LINE: plane 3, contour 1: message", leaving out what does not apply; planes and contours count from
-/// 0.
+/// "FILE:LINE: plane 3, contour 1: message", leaving out what does not apply; planes and contours count from 0.
 std::string to_string(const Error& error);
 
 template <class T>
