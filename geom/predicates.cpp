@@ -45,7 +45,8 @@ template <class Shape, class... Points>
 /// What the filter with this estimate and bound has left open. A column of zeros needs no more; a NaN beside
 /// it has the same answer.
 template <class Shape, class... Points>
-int undecided(const Estimate& e, double bound, const Vec3& origin, const Points&... points) {
+[[gnu::noinline]] int undecided(const Estimate& e, double bound, const Vec3& origin,
+                                const Points&... points) {
   if (!in_range(e.x, e.y, e.z))
     return e.x == 0 || e.y == 0 || e.z == 0 ? 0 : aligned_sign<Shape>(origin, points...);
   const double distance = (distance_to_integers(origin) + ... + distance_to_integers(points));
@@ -67,7 +68,7 @@ int orient2d(Vec2 a, Vec2 b, Vec2 c) {
   return undecided<Orient2d>(e, bound, flat(a), flat(b), flat(c));
 }
 
-int orient3d(Vec3 a, Vec3 b, Vec3 c, Vec3 d) {
+int orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   const Estimate e = filters::orient3d(b - a, c - a, d - a);
   const double bound = kRoundedOrient3dError * e.size();
   if (in_range(e.x, e.y, e.z))
@@ -84,7 +85,7 @@ int incircle(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
   return undecided<InCircle>(e, bound, flat(d), flat(a), flat(b), flat(c));
 }
 
-int insphere(Vec3 a, Vec3 b, Vec3 c, Vec3 d, Vec3 e) {
+int insphere(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& e) {
   const Estimate s = filters::insphere(a - e, b - e, c - e, d - e);
   const double bound = kRoundedInsphereError * s.size();
   if (in_range(s.x, s.y, s.z))

@@ -108,7 +108,7 @@ class ScaledReader {
   static bool in_range(double largest) { return largest >= 0x1p-101 && largest <= 0x1p200; }
 
   /// REQUIRES: no coordinate larger than was said.
-  IntegerRow read(const Vec3& p) {
+  [[gnu::always_inline]] IntegerRow read(const Vec3& p) {
     const auto integer = [this](double v) { return static_cast<std::int64_t>(v * scale_); };
     const IntegerRow c{integer(p.x), integer(p.y), integer(p.z)};
     const auto distance = [this](std::int64_t i, double v) {
@@ -143,19 +143,17 @@ bool scaled_sign(double bound, int& sign, const Vec3& origin, const Points&... p
   if (!ScaledReader::in_range(largest)) return false;
   ScaledReader reader(largest);
   const IntegerRow from = reader.read(origin);
-  const std::array<IntegerRow, sizeof...(Points)> rows{(reader.read(points) - from)...};
-  if (!reader.exact()) return false;
-  std::uint64_t all = 0;
-  for (const IntegerRow& row : rows) all |= all_bits(row);
-  const int shift = std::min(std::countr_zero(all), kCoordinateBits);
-  // Zeros at the end of all differences divide the determinant.
-  const double scale = reader.scale() * std::bit_cast<double>(static_cast<std::uint64_t>(1023 - shift) << 52);
-  const double limit = 2 * bound * power(scale, Shape::kDegree);
-  sign = [&]<std::size_t... I>(std::index_sequence<I...>) {
-    return residue_sign<Shape, kCoordinateBits + 1>(limit, (rows[I] >> shift)...);
-  }
-  (std::make_index_sequence<sizeof...(Points)>());
-  return true;
+  const auto evaluate = [&](const auto&... rows) {
+    if (!reader.exact()) return false;
+    const int shift = std::min(std::countr_zero((all_bits(rows) | ...)), kCoordinateBits);
+    // Zeros at the end of all differences divide the determinant.
+    const double scale =
+        reader.scale() * std::bit_cast<double>(static_cast<std::uint64_t>(1023 - shift) << 52);
+    const double limit = 2 * bound * power(scale, Shape::kDegree);
+    sign = residue_sign<Shape, kCoordinateBits + 1>(limit, (rows >> shift)...);
+    return true;
+  };
+  return evaluate((reader.read(points) - from)...);
 }
 
 }  // namespace crossloft::small_integers
