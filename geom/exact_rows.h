@@ -13,19 +13,19 @@
 namespace crossloft {
 
 /// In a plane, x and y are the two kept coordinates and z is unused by the determinants.
-template <unsigned Bits, unsigned WeightBits>
+template <unsigned Bits, unsigned WeightBits, std::size_t Cap = kNoCap>
 struct ExactRow {
   static constexpr unsigned kWeightBits = WeightBits;
-  FixedInt<Bits> x, y, z;
-  FixedInt<WeightBits> w;
+  FixedInt<Bits, Cap> x, y, z;
+  FixedInt<WeightBits, Cap> w;
 
   /// W^2 times the squared length.
   auto lift() const { return x * x + y * y + z * z; }
 };
 
 /// a * w, for a weight known to be 1 by its type just a.
-template <unsigned A, unsigned WeightBits>
-auto times_weight(const FixedInt<A>& a, const FixedInt<WeightBits>& w) {
+template <unsigned A, unsigned WeightBits, std::size_t Cap>
+auto times_weight(const FixedInt<A, Cap>& a, const FixedInt<WeightBits, Cap>& w) {
   if constexpr (WeightBits == 0) {
     return a;
   } else {

@@ -5,6 +5,10 @@
 ///
 /// FixedInt<Bits> holds |v| <= 2^Bits, the bound included (coordinates are |x| <= 2^50, normals <= 2^40; an
 /// inclusive bound is closed under products). Two's complement in 64-bit limbs, least significant first.
+///
+/// FixedInt<Bits, Cap> never has more than Cap limbs: past that, it is the residue modulo 2^(64 Cap) of the
+/// number its type speaks of. Sums and products of residues are right modulo the same, so a determinant known
+/// to be smaller than 2^(64 Cap - 1) comes out exact, however large its terms (small_integers.h).
 
 #include <algorithm>
 #include <array>
@@ -47,11 +51,13 @@ void multiply(Limb* r, std::size_t nr, const Limb* a, std::size_t na, const Limb
 
 }  // namespace limbs
 
-template <unsigned Bits>
+inline constexpr std::size_t kNoCap = static_cast<std::size_t>(-1);
+
+template <unsigned Bits, std::size_t Cap = kNoCap>
 struct FixedInt {
   static constexpr unsigned kBits = Bits;
   /// One bit for the sign and one because the bound is inclusive.
-  static constexpr std::size_t kLimbs = (Bits + 2 + 63) / 64;
+  static constexpr std::size_t kLimbs = std::min<std::size_t>((Bits + 2 + 63) / 64, Cap);
 
   std::array<limbs::Limb, kLimbs> limb{};
 
@@ -63,7 +69,7 @@ struct FixedInt {
   }
   /// From another width. REQUIRES: the value fits, which a wider target ensures.
   template <unsigned From>
-  explicit FixedInt(const FixedInt<From>& v) {
+  explicit FixedInt(const FixedInt<From, Cap>& v) {
     for (std::size_t i = 0; i < kLimbs; ++i) limb[i] = v.extended(i);
   }
 
@@ -85,83 +91,115 @@ struct FixedInt {
 };
 
 #if defined(__SIZEOF_INT128__)
-/// Up to two limbs the compiler's own integer is the shortest code.
+/// Up to two limbs the compiler's own integer is the shortest code; unsigned, since residues wrap around.
 namespace limbs {
 __extension__ using Native = __int128;
 __extension__ using UnsignedNative = unsigned __int128;
-template <unsigned Bits>
-Native to_native(const FixedInt<Bits>& v) {
-  if constexpr (FixedInt<Bits>::kLimbs == 1) {
-    return static_cast<std::int64_t>(v.limb[0]);
+template <unsigned Bits, std::size_t Cap>
+UnsignedNative to_native(const FixedInt<Bits, Cap>& v) {
+  if constexpr (FixedInt<Bits, Cap>::kLimbs == 1) {
+    return static_cast<UnsignedNative>(static_cast<Native>(static_cast<std::int64_t>(v.limb[0])));
   } else {
-    return static_cast<Native>(static_cast<UnsignedNative>(v.limb[1]) << 64 | v.limb[0]);
+    return static_cast<UnsignedNative>(v.limb[1]) << 64 | v.limb[0];
   }
 }
-template <unsigned Bits>
-FixedInt<Bits> from_native(Native v) {
-  FixedInt<Bits> r;
+template <class To>
+To from_native(UnsignedNative v) {
+  To r;
   r.limb[0] = static_cast<Limb>(v);
-  if constexpr (r.kLimbs == 2) r.limb[1] = static_cast<Limb>(v >> 64);
+  if constexpr (To::kLimbs == 2) r.limb[1] = static_cast<Limb>(v >> 64);
   return r;
+}
+/// One machine multiplication if both factors have one limb.
+template <unsigned A, unsigned B, std::size_t Cap>
+UnsignedNative native_product(const FixedInt<A, Cap>& a, const FixedInt<B, Cap>& b) {
+  if constexpr (FixedInt<A, Cap>::kLimbs == 1 && FixedInt<B, Cap>::kLimbs == 1) {
+    return static_cast<UnsignedNative>(static_cast<Native>(static_cast<std::int64_t>(a.limb[0])) *
+                                       static_cast<std::int64_t>(b.limb[0]));
+  } else {
+    return to_native(a) * to_native(b);
+  }
 }
 }  // namespace limbs
 #endif
 
-template <unsigned A, unsigned B>
-auto operator+(const FixedInt<A>& a, const FixedInt<B>& b) {
-  FixedInt<std::max(A, B) + 1> r;
+template <unsigned A, unsigned B, std::size_t Cap>
+auto operator+(const FixedInt<A, Cap>& a, const FixedInt<B, Cap>& b) {
+  using Sum = FixedInt<std::max(A, B) + 1, Cap>;
+  Sum r;
+  if constexpr (Sum::kLimbs == 1) {
+    r.limb[0] = a.limb[0] + b.limb[0];
+    return r;
+  }
 #if defined(__SIZEOF_INT128__)
-  if constexpr (r.kLimbs <= 2) return limbs::from_native<r.kBits>(limbs::to_native(a) + limbs::to_native(b));
+  if constexpr (Sum::kLimbs == 2) return limbs::from_native<Sum>(limbs::to_native(a) + limbs::to_native(b));
 #endif
   limbs::Limb carry = 0;
   for (std::size_t i = 0; i < r.kLimbs; ++i) r.limb[i] = limbs::add(a.extended(i), b.extended(i), carry);
   return r;
 }
 
-template <unsigned A, unsigned B>
-auto operator-(const FixedInt<A>& a, const FixedInt<B>& b) {
-  FixedInt<std::max(A, B) + 1> r;
+template <unsigned A, unsigned B, std::size_t Cap>
+auto operator-(const FixedInt<A, Cap>& a, const FixedInt<B, Cap>& b) {
+  using Difference = FixedInt<std::max(A, B) + 1, Cap>;
+  Difference r;
+  if constexpr (Difference::kLimbs == 1) {
+    r.limb[0] = a.limb[0] - b.limb[0];
+    return r;
+  }
 #if defined(__SIZEOF_INT128__)
-  if constexpr (r.kLimbs <= 2) return limbs::from_native<r.kBits>(limbs::to_native(a) - limbs::to_native(b));
+  if constexpr (Difference::kLimbs == 2)
+    return limbs::from_native<Difference>(limbs::to_native(a) - limbs::to_native(b));
 #endif
   limbs::Limb carry = 1;
   for (std::size_t i = 0; i < r.kLimbs; ++i) r.limb[i] = limbs::add(a.extended(i), ~b.extended(i), carry);
   return r;
 }
 
-template <unsigned A>
-FixedInt<A> operator-(const FixedInt<A>& a) {
-  return FixedInt<A>(FixedInt<0>() - a);
+template <unsigned A, std::size_t Cap>
+FixedInt<A, Cap> operator-(const FixedInt<A, Cap>& a) {
+  return FixedInt<A, Cap>(FixedInt<0, Cap>() - a);
 }
 
-template <unsigned A, unsigned B>
-auto operator*(const FixedInt<A>& a, const FixedInt<B>& b) {
-  FixedInt<A + B> r;
-#if defined(__SIZEOF_INT128__)
-  if constexpr (r.kLimbs <= 2) return limbs::from_native<r.kBits>(limbs::to_native(a) * limbs::to_native(b));
-#endif
-  constexpr std::size_t kA = FixedInt<A>::kLimbs, kB = FixedInt<B>::kLimbs, kR = FixedInt<A + B>::kLimbs;
-  if constexpr (B == 0 && A == 0) {
-    r.limb[0] = a.limb[0] * b.limb[0];
-  } else if constexpr (kA * kB > 6) {
-    limbs::multiply(r.limb.data(), kR, a.limb.data(), kA, b.limb.data(), kB);
-  } else {
-    // Unsigned product; then a two's complement factor was too large by 2^(64 n) if it is negative.
-    for (std::size_t i = 0; i < kA; ++i) {
-      limbs::Limb high = 0;
-      for (std::size_t j = 0; j < kB && i + j < kR; ++j)
-        r.limb[i + j] = limbs::multiply_add(a.limb[i], b.limb[j], r.limb[i + j], high, high);
-      if (i + kB < kR) r.limb[i + kB] = high;
-    }
-    const limbs::Limb mask_a = a.negative() ? ~limbs::Limb{0} : 0,
-                      mask_b = b.negative() ? ~limbs::Limb{0} : 0;
-    limbs::Limb carry_a = 1, carry_b = 1;
-    for (std::size_t i = kA; i < kR; ++i)
-      r.limb[i] = limbs::add(r.limb[i], ~(b.extended(i - kA) & mask_a), carry_a);
-    for (std::size_t i = kB; i < kR; ++i)
-      r.limb[i] = limbs::add(r.limb[i], ~(a.extended(i - kB) & mask_b), carry_b);
+namespace limbs {
+/// The schoolbook product for few limbs, written out by the compiler.
+template <class Product, class A, class B>
+Product short_product(const A& a, const B& b) {
+  Product r;
+  constexpr std::size_t kA = A::kLimbs, kB = B::kLimbs, kR = Product::kLimbs;
+  // Unsigned product; then a two's complement factor was too large by 2^(64 n) if it is negative.
+  for (std::size_t i = 0; i < kA; ++i) {
+    Limb high = 0;
+    for (std::size_t j = 0; j < kB && i + j < kR; ++j)
+      r.limb[i + j] = multiply_add(a.limb[i], b.limb[j], r.limb[i + j], high, high);
+    if (i + kB < kR) r.limb[i + kB] = high;
   }
+  const Limb mask_a = a.negative() ? ~Limb{0} : 0, mask_b = b.negative() ? ~Limb{0} : 0;
+  Limb carry_a = 1, carry_b = 1;
+  for (std::size_t i = kA; i < kR; ++i) r.limb[i] = add(r.limb[i], ~(b.extended(i - kA) & mask_a), carry_a);
+  for (std::size_t i = kB; i < kR; ++i) r.limb[i] = add(r.limb[i], ~(a.extended(i - kB) & mask_b), carry_b);
   return r;
+}
+}  // namespace limbs
+
+template <unsigned A, unsigned B, std::size_t Cap>
+auto operator*(const FixedInt<A, Cap>& a, const FixedInt<B, Cap>& b) {
+  using Product = FixedInt<A + B, Cap>;
+  constexpr std::size_t kA = FixedInt<A, Cap>::kLimbs, kB = FixedInt<B, Cap>::kLimbs;
+  Product r;
+  if constexpr (Product::kLimbs == 1) {
+    r.limb[0] = a.limb[0] * b.limb[0];
+    return r;
+  }
+#if defined(__SIZEOF_INT128__)
+  if constexpr (Product::kLimbs == 2) return limbs::from_native<Product>(limbs::native_product(a, b));
+#endif
+  if constexpr (kA * kB > 6) {
+    limbs::multiply(r.limb.data(), r.kLimbs, a.limb.data(), kA, b.limb.data(), kB);
+    return r;
+  } else {
+    return limbs::short_product<Product>(a, b);
+  }
 }
 
 }  // namespace crossloft

@@ -1,6 +1,6 @@
 // The exact stage of the lattice predicates. Calls whose points are all explicit, the vast majority, take a
-// path of their own in one to five limbs; otherwise the explicit points go first and the first serves as
-// origin, with one instance for each number of rational points.
+// path of their own, integers in as few limbs as an estimate leaves; otherwise the explicit points go first
+// and the first serves as origin, with one instance for each number of rational points.
 
 #include <array>
 #include <utility>
@@ -8,6 +8,7 @@
 #include "exact_rows.h"
 #include "homogeneous.h"
 #include "lattice_filters.h"
+#include "small_integers.h"
 
 namespace crossloft {
 namespace {
@@ -87,12 +88,54 @@ struct Sorted {
   const LatticePoint& operator[](std::size_t i) const { return *points[i]; }
 };
 
+/// Of explicit points: `e` and `error` of the differences `rows`, which are exact integers.
+template <class Shape, class... Rows>
+int explicit_sign(const filters::Estimate& e, double error, const Rows&... rows) {
+  const double bound = error * e.size();
+  if (const int sign = filters::decide(e.det, bound)) return sign;
+  return small_integers::difference_sign<Shape>(bound, 1, rows...);
+}
+
+Vec3 difference(const Axes& k, const LatticePoint& p, const LatticePoint& origin) {
+  return {p[k[0]] - origin[k[0]], p[k[1]] - origin[k[1]], p[k[2]] - origin[k[2]]};
+}
+Vec2 flat(const Vec3& v) { return {v.x, v.y}; }
+
+int orient3d_explicit(const LatticePoint& a, const LatticePoint& b, const LatticePoint& c,
+                      const LatticePoint& d) {
+  using filters::difference;
+  const Vec3 p = difference(b, a), q = difference(c, a), r = difference(d, a);
+  return explicit_sign<small_integers::Orient3d>(filters::orient3d(p, q, r), filters::kOrient3dError, p, q,
+                                                 r);
+}
+
+int insphere_explicit(const LatticePoint& a, const LatticePoint& b, const LatticePoint& c,
+                      const LatticePoint& d, const LatticePoint& e) {
+  using filters::difference;
+  const Vec3 p = difference(a, e), q = difference(b, e), r = difference(c, e), s = difference(d, e);
+  return explicit_sign<small_integers::InSphere>(filters::insphere(p, q, r, s), filters::kInsphereError, p, q,
+                                                 r, s);
+}
+
+int orient2d_explicit(const Axes& k, const LatticePoint& a, const LatticePoint& b, const LatticePoint& c) {
+  const Vec3 p = difference(k, b, a), q = difference(k, c, a);
+  return explicit_sign<small_integers::Orient2d>(filters::orient2d(flat(p), flat(q)), filters::kOrient2dError,
+                                                 p, q);
+}
+
+int incircle_explicit(const Axes& k, const LatticePoint& a, const LatticePoint& b, const LatticePoint& c,
+                      const LatticePoint& d) {
+  const Vec3 p = difference(k, a, d), q = difference(k, b, d), r = difference(k, c, d);
+  const filters::Estimate e = filters::incircle(flat(p), flat(q), flat(r), dot(p, p), dot(q, q), dot(r, r));
+  return explicit_sign<small_integers::InCircle>(e, filters::kIncircleError, p, q, r);
+}
+
 template <std::size_t Rational>
 int orient3d_with(const Sorted<4>& p) {
   const auto determinant =
       det3(row<(Rational >= 3)>(kSpace, p[0], p[1]), row<(Rational >= 2)>(kSpace, p[0], p[2]),
            row<(Rational >= 1)>(kSpace, p[0], p[3]));
-  static_assert(decltype(determinant)::kBits <= (Rational == 0 ? 157 : 522));
+  static_assert(decltype(determinant)::kBits <= 522);
   return p.sign * determinant.sign();
 }
 
@@ -109,7 +152,7 @@ int insphere_with(const Sorted<5>& p) {
   const auto determinant =
       in_sphere_about(row<(Rational >= 4)>(kSpace, p[0], p[1]), row<(Rational >= 3)>(kSpace, p[0], p[2]),
                       row<(Rational >= 2)>(kSpace, p[0], p[3]), row<(Rational >= 1)>(kSpace, p[0], p[4]));
-  static_assert(decltype(determinant)::kBits <= (Rational == 0 ? 263 : 1239));
+  static_assert(decltype(determinant)::kBits <= 1239);
   return p.sign * determinant.sign();
 }
 
@@ -125,7 +168,7 @@ template <std::size_t Rational>
 int orient2d_with(const Axes& k, const Sorted<3>& p) {
   const auto determinant =
       orientation_about(row<(Rational >= 2)>(k, p[0], p[1]), row<(Rational >= 1)>(k, p[0], p[2]));
-  static_assert(decltype(determinant)::kBits <= (Rational == 0 ? 103 : 347));
+  static_assert(decltype(determinant)::kBits <= 347);
   return p.sign * determinant.sign();
 }
 
@@ -141,7 +184,7 @@ int incircle_with(const Axes& k, const Sorted<4>& p) {
   const auto determinant =
       in_circle_about(row<(Rational >= 3)>(k, p[0], p[1]), row<(Rational >= 2)>(k, p[0], p[2]),
                       row<(Rational >= 1)>(k, p[0], p[3]));
-  static_assert(decltype(determinant)::kBits <= (Rational == 0 ? 209 : 941));
+  static_assert(decltype(determinant)::kBits <= 941);
   return -p.sign * determinant.sign();
 }
 
@@ -165,10 +208,9 @@ int side_of_plane_exact(const LatticePlane& plane, const LatticePoint& p) {
 
 int orient3d_exact(const LatticePoint& a, const LatticePoint& b, const LatticePoint& c,
                    const LatticePoint& d) {
+  if (filters::all_explicit(a, b, c, d)) return orient3d_explicit(a, b, c, d);
   const Sorted<4> p({&a, &b, &c, &d});
   switch (p.rational) {
-    case 0:
-      return orient3d_with<0>(p);
     case 1:
       return orient3d_with<1>(p);
     case 2:
@@ -182,10 +224,9 @@ int orient3d_exact(const LatticePoint& a, const LatticePoint& b, const LatticePo
 
 int insphere_exact(const LatticePoint& a, const LatticePoint& b, const LatticePoint& c, const LatticePoint& d,
                    const LatticePoint& e) {
+  if (filters::all_explicit(a, b, c, d, e)) return insphere_explicit(a, b, c, d, e);
   const Sorted<5> p({&a, &b, &c, &d, &e});
   switch (p.rational) {
-    case 0:
-      return insphere_with<0>(p);
     case 1:
       return insphere_with<1>(p);
     case 2:
@@ -203,10 +244,9 @@ int orient2d_exact(const LatticePlane& plane, const LatticePoint& a, const Latti
                    const LatticePoint& c) {
   const filters::Projection pr = filters::projection(plane.normal);
   const Axes k = axes_of(pr);
+  if (filters::all_explicit(a, b, c)) return pr.sign * orient2d_explicit(k, a, b, c);
   const Sorted<3> p({&a, &b, &c});
   switch (p.rational) {
-    case 0:
-      return pr.sign * orient2d_with<0>(k, p);
     case 1:
       return pr.sign * orient2d_with<1>(k, p);
     case 2:
@@ -220,10 +260,9 @@ int incircle_exact(const LatticePlane& plane, const LatticePoint& a, const Latti
                    const LatticePoint& c, const LatticePoint& d) {
   const filters::Projection pr = filters::projection(plane.normal);
   const Axes k = axes_of(pr);
+  if (filters::all_explicit(a, b, c, d)) return pr.sign * incircle_explicit(k, a, b, c, d);
   const Sorted<4> p({&a, &b, &c, &d});
   switch (p.rational) {
-    case 0:
-      return pr.sign * incircle_with<0>(k, p);
     case 1:
       return pr.sign * incircle_with<1>(k, p);
     case 2:

@@ -1,35 +1,59 @@
 #include "predicates.h"
 
-#include <array>
-
 #include "aligned_doubles.h"
 #include "double_filters.h"
 #include "exact_rows.h"
+#include "small_integers.h"
+#include "static_bounds.h"
 
 namespace crossloft {
 namespace {
 
-template <unsigned Bits>
-using AlignedRow = ExactRow<Bits + 1, 0>;
+using namespace filters;
+using namespace small_integers;
 
+/// Coordinates relative to an origin, as integers over 2^(low - 1075).
 template <unsigned Bits>
-AlignedRow<Bits> aligned_row(int low, const Vec3& origin, const Vec3& p) {
+ExactRow<Bits + 1, 0> aligned_row(int low, const Vec3& p, const Vec3& origin) {
   const auto d = [&](double to, double from) {
     return aligned::align<Bits>(to, low) - aligned::align<Bits>(from, low);
   };
   return {d(p.x, origin.x), d(p.y, origin.y), d(p.z, origin.z), FixedInt<0>(1)};
 }
 
-/// evaluate<Bits>(rows relative to the last point) in the narrowest sufficient width; 0 for NaN or infinity.
-template <std::size_t N, class Evaluate>
-int sign_of(const std::array<Vec3, N>& points, const Evaluate& evaluate) {
+/// For any doubles, in the narrowest sufficient width; 0 for NaN or infinity.
+template <class Shape, class... Points>
+[[gnu::noinline]] int aligned_sign(const Vec3& origin, const Points&... points) {
   aligned::Span span;
-  for (const Vec3& p : points) span.include(p.x), span.include(p.y), span.include(p.z);
+  const auto include = [&](const Vec3& p) { span.include(p.x), span.include(p.y), span.include(p.z); };
+  include(origin);
+  (include(points), ...);
   if (!span.finite) return 0;
-  const auto with = [&]<unsigned Bits>() {
-    return evaluate([&](std::size_t i) { return aligned_row<Bits>(span.low, points[N - 1], points[i]); });
-  };
-  return aligned::with_width(span.width(), with);
+  return aligned::with_width(span.width(), [&]<unsigned Bits>() {
+    return Shape::determinant(aligned_row<Bits>(span.low, points, origin)...).sign();
+  });
+}
+
+/// The stages for doubles that are no integers, out of the way of what is more frequent.
+template <class Shape, class... Points>
+[[gnu::noinline]] int sign_of_doubles(double bound, const Vec3& origin, const Points&... points) {
+  int sign = 0;
+  if (scaled_sign<Shape>(bound, sign, origin, points...)) return sign;
+  return aligned_sign<Shape>(origin, points...);
+}
+
+/// What the filter with this estimate and bound has left open. A column of zeros needs no more; a NaN beside
+/// it has the same answer.
+template <class Shape, class... Points>
+[[gnu::noinline]] int undecided(const Estimate& e, double bound, const Vec3& origin,
+                                const Points&... points) {
+  if (!in_range(e.x, e.y, e.z))
+    return e.x == 0 || e.y == 0 || e.z == 0 ? 0 : aligned_sign<Shape>(origin, points...);
+  const double distance = (distance_to_integers(origin) + ... + distance_to_integers(points));
+  if (!(distance >= 0)) return 0;  // NaN or infinity
+  if (distance == 0 && std::max(std::max(e.x, e.y), e.z) <= kLargestDifference)
+    return difference_sign<Shape>(bound, 1, (points - origin)...);
+  return sign_of_doubles<Shape>(bound, origin, points...);
 }
 
 Vec3 flat(Vec2 p) { return {p.x, p.y, 0}; }
@@ -37,27 +61,56 @@ Vec3 flat(Vec2 p) { return {p.x, p.y, 0}; }
 }  // namespace
 
 int orient2d(Vec2 a, Vec2 b, Vec2 c) {
-  if (const int sign = orient2d_filter(a, b, c)) return sign;
-  // b, c about a; the order of the array puts the origin last.
-  return sign_of(std::array{flat(b), flat(c), flat(a)},
-                 [](const auto& row) { return orientation_about(row(0), row(1)).sign(); });
+  const Estimate e = filters::orient2d(b - a, c - a);
+  const double bound = kRoundedOrient2dError * e.size();
+  if (in_range(e.x, e.y))
+    if (const int sign = decide(e.det, bound)) return sign;
+  return undecided<Orient2d>(e, bound, flat(a), flat(b), flat(c));
 }
 
-int orient3d(Vec3 a, Vec3 b, Vec3 c, Vec3 d) {
-  if (const int sign = orient3d_filter(a, b, c, d)) return sign;
-  return sign_of(std::array{b, c, d, a}, [](const auto& row) { return det3(row(0), row(1), row(2)).sign(); });
+int orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  const Estimate e = filters::orient3d(b - a, c - a, d - a);
+  const double bound = kRoundedOrient3dError * e.size();
+  if (in_range(e.x, e.y, e.z))
+    if (const int sign = decide(e.det, bound)) return sign;
+  return undecided<Orient3d>(e, bound, a, b, c, d);
 }
 
 int incircle(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
-  if (const int sign = incircle_filter(a, b, c, d)) return sign;
-  return sign_of(std::array{flat(a), flat(b), flat(c), flat(d)},
-                 [](const auto& row) { return in_circle_about(row(0), row(1), row(2)).sign(); });
+  const Vec2 p = a - d, q = b - d, r = c - d;
+  const Estimate e = filters::incircle(p, q, r, dot(p, p), dot(q, q), dot(r, r));
+  const double bound = kRoundedIncircleError * e.size();
+  if (in_range(e.x, e.y))
+    if (const int sign = decide(e.det, bound)) return sign;
+  return undecided<InCircle>(e, bound, flat(d), flat(a), flat(b), flat(c));
 }
 
-int insphere(Vec3 a, Vec3 b, Vec3 c, Vec3 d, Vec3 e) {
-  if (const int sign = insphere_filter(a, b, c, d, e)) return sign;
-  return sign_of(std::array{a, b, c, d, e},
-                 [](const auto& row) { return in_sphere_about(row(0), row(1), row(2), row(3)).sign(); });
+int insphere(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& e) {
+  const Estimate s = filters::insphere(a - e, b - e, c - e, d - e);
+  const double bound = kRoundedInsphereError * s.size();
+  if (in_range(s.x, s.y, s.z))
+    if (const int sign = decide(s.det, bound)) return sign;
+  return undecided<InSphere>(s, bound, e, a, b, c, d);
+}
+
+int orient3d_after_static(const StaticBounds& bounds, const Vec3& a, const Vec3& b, const Vec3& c,
+                          const Vec3& d) {
+  if (bounds.scale == 0) return orient3d(a, b, c, d);
+  const Vec3 p = b - a, q = c - a, r = d - a;
+  const Estimate e = filters::orient3d(p, q, r);
+  const double bound = kOrient3dError * e.size();
+  if (const int sign = decide(e.det, bound)) return sign;
+  return difference_sign<Orient3d>(bound, bounds.scale, p, q, r);
+}
+
+int insphere_after_static(const StaticBounds& bounds, const Vec3& a, const Vec3& b, const Vec3& c,
+                          const Vec3& d, const Vec3& e) {
+  if (bounds.scale == 0) return insphere(a, b, c, d, e);
+  const Vec3 p = a - e, q = b - e, r = c - e, s = d - e;
+  const Estimate t = filters::insphere(p, q, r, s);
+  const double bound = kInsphereError * t.size();
+  if (const int sign = decide(t.det, bound)) return sign;
+  return difference_sign<InSphere>(bound, bounds.scale, p, q, r, s);
 }
 
 }  // namespace crossloft

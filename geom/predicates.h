@@ -28,12 +28,12 @@ namespace crossloft {
 /// +1 if a, b, c turn counter-clockwise.
 int orient2d(Vec2 a, Vec2 b, Vec2 c);
 /// Sign of det(b-a, c-a, d-a): +1 if d is on the side from which a, b, c turn counter-clockwise.
-int orient3d(Vec3 a, Vec3 b, Vec3 c, Vec3 d);
+int orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 /// +1 if d is inside the circle through a, b, c, 0 on it. REQUIRES: orient2d(a,b,c) > 0 for that meaning; the
 /// sign flips with the orientation.
 int incircle(Vec2 a, Vec2 b, Vec2 c, Vec2 d);
 /// +1 if e is inside the sphere through a, b, c, d, 0 on it. REQUIRES: orient3d(a,b,c,d) > 0 for that
 /// meaning; the sign flips with the orientation.
-int insphere(Vec3 a, Vec3 b, Vec3 c, Vec3 d, Vec3 e);
+int insphere(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& e);
 
 }  // namespace crossloft
