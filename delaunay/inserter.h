@@ -142,7 +142,7 @@ class Inserter {
   CellPool pool_;
   std::uint32_t hint_ = 0;
   std::int64_t gained_ = 0;
-  double lifted_error_ = 0;  ///< of a determinant of rows_
+  LiftedError lifted_error_;  ///< of a determinant of rows_
 
   Scratch<std::uint32_t> cavity_, outside_;  ///< cells that are marked
   Scratch<Facet> wave_;                      ///< ways from the cavity to the cells that are asked next

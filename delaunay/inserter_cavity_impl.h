@@ -5,8 +5,8 @@
 
 namespace crossloft::detail {
 
-/// Local vertices up to which cells are joined by a table, of 64 KB then; beyond, a quadratic method is no use.
-inline constexpr std::size_t kMostInTable = 128;
+/// Local vertices up to which cells are joined by a table, of 256 KB then; beyond, a quadratic method is no use.
+inline constexpr std::size_t kMostInTable = 256;
 
 /// Floods the cells in conflict with e from `start`, wave by wave, and collects the boundary. In each wave the
 /// cells beyond the last ones are marked, then asked, then listed: none of these loops has a branch on what it
@@ -109,15 +109,16 @@ inline void Inserter<D, P, T>::note_vertex(std::uint32_t v, std::uint32_t e) {
 
 /// REQUIRES: the cell's vertices have their rows.
 template <std::size_t D, class P, class T>
-bool Inserter<D, P, T>::conflicts(std::uint32_t cell, std::uint32_t e) const {
+inline bool Inserter<D, P, T>::conflicts(std::uint32_t cell, std::uint32_t e) const {
   if constexpr (kLifts) {
     const auto& v = cells_.vertices(cell);
     if (v[D] != kGhost) [[likely]] {
-      const LiftedRow* rows = rows_.data();
-      const double determinant = lifted_determinant(rows[local_.number(v[0])], rows[local_.number(v[1])],
-                                                    rows[local_.number(v[2])], rows[local_.number(v[3])]);
-      if (std::fabs(determinant) > lifted_error_) [[likely]]
+      const auto row = [&](std::size_t slot) -> const LiftedRow& { return rows_[local_.number(v[slot])]; };
+      const double determinant = lifted_determinant(row(0), row(1), row(2), row(3));
+      if (std::fabs(determinant) > lifted_error_.absolute) [[likely]]
         return determinant > 0;
+      const double size = lifted_size(row(0), row(1), row(2), row(3));
+      if (std::fabs(determinant) > lifted_error_.relative * size) return determinant > 0;
     }
   }
   return in_conflict(cell, e);

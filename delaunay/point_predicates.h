@@ -79,12 +79,12 @@ concept PowerPredicates3 = requires(const P& p, std::uint32_t i, int axis) {
 /// Points or sites in space that come as rows of the in-sphere or power test, for speed: a triangulation asks
 /// many cells about one point, and so lifts each vertex once.
 /// - lifted(i, origin): site i relative to another, rounded (lifted_row.h);
-/// - lifted_error(): how far lifted_determinant of any four rows may be off, of the points there are now;
-///   infinite if that is not known. A larger determinant has the sign of insphere or power_test.
+/// - lifted_error(): how far lifted_determinant of four rows may be off, of the points there are now; infinite
+///   where that is not known. A larger determinant has the sign of insphere or power_test.
 template <class P>
 concept LiftsPoints = requires(const P& p, std::uint32_t i) {
   { p.lifted(i, i) } -> std::same_as<LiftedRow>;
-  { p.lifted_error() } -> std::same_as<double>;
+  { p.lifted_error() } -> std::same_as<LiftedError>;
 };
 
 /// PointPredicates2 that also measures: what conforming edge recovery needs to place its splits.

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "../geom/ids.h"
+#include "large_pages.h"
 
 namespace crossloft::detail {
 
@@ -54,12 +55,14 @@ class SimplexStore {
 
   /// Makes room for a number of cells in all: a guess, for speed.
   void reserve(std::size_t cells) {
-    vertices_.reserve(cells);
-    neighbours_.reserve(cells);
+    reserve_in_large_pages(vertices_, cells);
+    reserve_in_large_pages(neighbours_, cells);
     marks_.reserve(cells);
   }
   /// A new free cell.
   std::uint32_t grow() {
+    if (vertices_.size() == vertices_.capacity()) [[unlikely]]
+      reserve(2 * vertices_.size() + 64);
     vertices_.push_back(free_cell());
     neighbours_.push_back(no_neighbours());
     marks_.push_back(Mark::none);

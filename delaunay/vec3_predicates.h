@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <span>
 
-#include "../geom/predicates.h"
+#include "../geom/static_bounds.h"
 #include "point_predicates.h"
 
 namespace crossloft {
@@ -12,9 +12,7 @@ namespace crossloft {
 /// Points in space; the span must stay as it is. REQUIRES: finite coordinates.
 class Vec3Predicates3 {
  public:
-  explicit Vec3Predicates3(std::span<const Vec3> points) : points_(points) {
-    for (const Vec3& p : points) extent_.include(p);
-  }
+  explicit Vec3Predicates3(std::span<const Vec3> points) : points_(points), bounds_(static_bounds(points)) {}
 
   std::uint32_t size() const { return static_cast<std::uint32_t>(points_.size()); }
   double coordinate(std::uint32_t i, int axis) const {
@@ -22,10 +20,10 @@ class Vec3Predicates3 {
     return axis == 0 ? p.x : axis == 1 ? p.y : p.z;
   }
   int orient3d(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) const {
-    return crossloft::orient3d(points_[a], points_[b], points_[c], points_[d]);
+    return crossloft::orient3d(bounds_, points_[a], points_[b], points_[c], points_[d]);
   }
   int insphere(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d, std::uint32_t e) const {
-    return crossloft::insphere(points_[a], points_[b], points_[c], points_[d], points_[e]);
+    return crossloft::insphere(bounds_, points_[a], points_[b], points_[c], points_[d], points_[e]);
   }
   bool collinear(std::uint32_t a, std::uint32_t b, std::uint32_t c) const;
   int compare_lex(std::uint32_t a, std::uint32_t b) const {
@@ -36,11 +34,11 @@ class Vec3Predicates3 {
     const Vec3 d = points_[i] - points_[origin];
     return {d, dot(d, d)};
   }
-  double lifted_error() const { return crossloft::lifted_error(extent_.differences()); }
+  LiftedError lifted_error() const { return {bounds_.insphere, filters::kRoundedInsphereError}; }
 
  private:
   std::span<const Vec3> points_;
-  Extent extent_;
+  StaticBounds bounds_;
 };
 
 static_assert(PointPredicates3<Vec3Predicates3> && LiftsPoints<Vec3Predicates3>);

@@ -9,23 +9,22 @@
 ///     in-sphere = sum over pairs i < j of +-m(i, j) n(k, l), m = x_i y_j - y_i x_j, n = lift_k z_l - z_k lift_l,
 /// k < l the other two rows: m and n of a pair are computed together, in the lanes of one vector.
 ///
-/// *Its error*, in the notation of difference_filters.h, rows rounded as in double_filters.h (entries 1, lifts
-/// 5 of their size): m 2 : 8; products of n 1 : 1 + 5 + 1 = 7, n 2 : 7 + 7 + 2 = 16. A product of both
-/// 4 : 2*16 + 2*8 + 4 = 52; three terms in each lane 12 : (52 + 52 + 8) + 52 + 12 = 176; both lanes 24 : 376.
-/// With weights (weighted_filters.h) the lift is off by 6 of its size: n 2 : 18, products 56, lanes 188, all 400.
+/// *Its error*, in the notation of difference_filters.h. With entries off by a of their size and lifts by b:
+/// m 2 : 4a + 4; products of n 1 : a + b + 1, n 2 : 2 (a + b + 1) + 2; a product of m and n, which are up to 2,
+/// 4 : 2 (4a + 4) + 2 (2a + 2b + 4) + 4 = 12a + 4b + 20. Two in a lane 8 : 24a + 8b + 48; three
+/// 12 : 36a + 12b + 80; both lanes 24 : 72a + 24b + 184. That makes 256 of exact differences (a = 0, b = 3), 376
+/// of rounded ones (1, 5), 400 with weights (1, 6): the bounds of the in-sphere filters, kInsphereError,
+/// kRoundedInsphereError and kPower3dError, hold here too, and so do their static ones (static_bounds.h).
 
 #include <limits>
 
 #include "double_filters.h"
+#include "fp_check.h"
 #include "vec3.h"
-#include "weighted_filters.h"
 
 namespace crossloft {
 
 namespace filters {
-
-inline constexpr double kLiftedError = 376 * kU * kRoom;
-inline constexpr double kWeightedLiftedError = 400 * kU * kRoom;
 
 #if defined(__GNUC__)
 using Lanes = double __attribute__((vector_size(16)));
@@ -61,35 +60,21 @@ inline double lifted_determinant(const LiftedRow& p, const LiftedRow& q, const L
   return sum[0] + sum[1];
 }
 
-/// The box that holds a set of points, as far as bounds on differences need it.
-class Extent {
- public:
-  void include(const Vec3& p) {
-    low_ = {std::min(low_.x, p.x), std::min(low_.y, p.y), std::min(low_.z, p.z)};
-    high_ = {std::max(high_.x, p.x), std::max(high_.y, p.y), std::max(high_.z, p.z)};
-  }
-  /// The largest computed difference along each axis: rounding is monotone.
-  Vec3 differences() const { return high_ - low_; }
-
- private:
-  static constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  Vec3 low_{kInfinity, kInfinity, kInfinity}, high_{-kInfinity, -kInfinity, -kInfinity};
+/// How far lifted_determinant may be off, of any rows of one set of points (static_bounds.h).
+struct LiftedError {
+  double absolute = std::numeric_limits<double>::infinity();  ///< whatever the rows
+  /// Times the column maxima, if these are in range (double_filters.h).
+  double relative = std::numeric_limits<double>::infinity();
 };
 
-/// How far lifted_determinant may be off for any five points with differences up to `largest`. The argument of
-/// double_filters.h about overflow and underflow holds as it stands: it needs column maxima in range only for
-/// the bound to exceed what an underflow costs. Infinite outside of that range.
-inline double lifted_error(const Vec3& largest) {
-  if (!filters::in_range(largest.x, largest.y, largest.z)) return std::numeric_limits<double>::infinity();
-  return filters::kLiftedError * (largest.x * largest.y * largest.z * dot(largest, largest));
-}
-
-/// The same for weighted points with differences of weights up to `largest_weight`.
-inline double lifted_error(const Vec3& largest, double largest_weight) {
-  const double lift = dot(largest, largest) + largest_weight;
-  if (!filters::in_range(largest.x, largest.y, largest.z) || !(lift <= filters::kLargestLift))
-    return std::numeric_limits<double>::infinity();
-  return filters::kWeightedLiftedError * (largest.x * largest.y * largest.z * lift);
+/// The product of the column maxima, infinite if one of them is out of range.
+inline double lifted_size(const LiftedRow& p, const LiftedRow& q, const LiftedRow& r, const LiftedRow& s) {
+  using filters::largest;
+  const double x = largest(p.x_lift[0], q.x_lift[0], r.x_lift[0], s.x_lift[0]);
+  const double y = largest(p.y_z[0], q.y_z[0], r.y_z[0], s.y_z[0]);
+  const double z = largest(p.y_z[1], q.y_z[1], r.y_z[1], s.y_z[1]);
+  if (!filters::in_range(x, y, z)) return std::numeric_limits<double>::infinity();
+  return x * y * z * largest(p.x_lift[1], q.x_lift[1], r.x_lift[1], s.x_lift[1]);
 }
 
 }  // namespace crossloft
