@@ -15,6 +15,7 @@ void add_check(CLI::App& program, ExitCode& outcome);
 void add_compare(CLI::App& program, ExitCode& outcome);
 void add_slice(CLI::App& program, ExitCode& outcome);
 void add_moebius(CLI::App& program, ExitCode& outcome);
+void add_delaunay(CLI::App& program, ExitCode& outcome);
 void add_demo(CLI::App& program, ExitCode& outcome);
 
 }  // namespace crossloft::cli

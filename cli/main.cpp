@@ -36,6 +36,7 @@ ExitCode run(int argc, char** argv) {
   add_compare(program, outcome);
   add_slice(program, outcome);
   add_moebius(program, outcome);
+  add_delaunay(program, outcome);
   add_demo(program, outcome);
   try {
     program.parse(argc, argv);

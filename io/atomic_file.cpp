@@ -50,20 +50,30 @@ std::FILE* create_beside(const std::string& target, std::string& name) {
 
 }  // namespace
 
-Result<std::string> read_file(const std::string& path) {
+Result<Done> read_pieces(const std::string& path, const std::function<bool(std::string_view)>& take) {
   std::error_code ignored;
   if (fs::is_directory(path, ignored)) return not_readable(path, "it is a directory");
   errno = 0;
   const File file(std::fopen(path.c_str(), "rb"));
   if (file == nullptr) return not_readable(path, reason(errno));
 
-  std::string bytes;
-  const auto size = fs::file_size(path, ignored);
-  if (!ignored) bytes.reserve(static_cast<std::size_t>(size));
-  char buffer[1 << 16];
+  char buffer[kPieceBytes];
   for (std::size_t n = 0; (n = std::fread(buffer, 1, sizeof buffer, file.get())) != 0;)
-    bytes.append(buffer, n);
+    if (!take({buffer, n})) return Done{};
   if (std::ferror(file.get()) != 0) return not_readable(path, reason(errno));
+  return Done{};
+}
+
+Result<std::string> read_file(const std::string& path) {
+  std::string bytes;
+  std::error_code unknown;
+  const auto size = fs::file_size(path, unknown);
+  if (!unknown) bytes.reserve(static_cast<std::size_t>(size));
+  const Result<Done> read = read_pieces(path, [&](std::string_view piece) {
+    bytes.append(piece);
+    return true;
+  });
+  if (!read.ok()) return read.error();
   return bytes;
 }
 

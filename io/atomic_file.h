@@ -1,7 +1,9 @@
 #pragma once
-/// Files read whole, and files written whole or not at all.
+/// Files read whole or piece by piece, and files written whole or not at all.
 
+#include <cstddef>
 #include <cstdio>
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -11,6 +13,12 @@ namespace crossloft {
 
 /// The bytes of a file. Errors: file_not_readable, with the reason (missing, a directory, no permission).
 Result<std::string> read_file(const std::string& path);
+
+/// Records of 24 or of 32 bytes fit without a rest.
+inline constexpr std::size_t kPieceBytes = 3 << 14;
+/// Hands the bytes of a file to `take` in pieces of kPieceBytes, the last of which may be shorter, until it
+/// returns false. Errors: as read_file.
+Result<Done> read_pieces(const std::string& path, const std::function<bool(std::string_view)>& take);
 
 /// A file under construction: bytes go to a new file beside the target, which takes the target's name on
 /// commit(). Until then, and after any failure, the target is as it was; the destructor removes what was not

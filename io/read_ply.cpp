@@ -250,6 +250,8 @@ Result<Surface> parse_ply(std::string_view bytes, std::string name) {
   if (!header.ascii) binary.emplace(after_line_end(bytes.substr(in.offset())), header.order);
   Body body(in, binary);
   Surface surface;
+  constexpr std::size_t kLeastVertexBytes = 3;  // three int8
+  surface.points.reserve(in.room_for(header.vertices, kLeastVertexBytes));
   ElementReader reader(body, header.vertices, surface);
   for (const Element& element : header.elements) reader.read(element);
   if (header.ascii) in.expect_end();

@@ -21,7 +21,7 @@ std::optional<std::string_view> attribute(std::string_view xml, const std::strin
   return value.substr(0, value.find('"'));
 }
 
-/// The one layout that write_solid produces, found by its names; see write_solid.cpp.
+/// The one layout that write_solid produces, found by its names; see cell_writer.h.
 class VtuReader {
  public:
   explicit VtuReader(std::string_view bytes) {
@@ -62,6 +62,13 @@ class VtuReader {
   std::string_view header_, data_;
 };
 
+bool all_tetrahedra(ByteReader types, std::uint64_t cells) {
+  constexpr std::uint8_t kVtkTetra = 10;
+  bool all = true;
+  for (std::uint64_t i = 0; i < cells; ++i) all = types.read<std::uint8_t>() == kVtkTetra && all;
+  return all;
+}
+
 }  // namespace
 
 Result<Solid> parse_vtu(std::string_view bytes, std::string name) {
@@ -74,8 +81,10 @@ Result<Solid> parse_vtu(std::string_view bytes, std::string name) {
     return bad(ErrorCode::syntax, "the file is no .vtu of the layout written by Crossloft");
   }
   auto coordinates = vtu.array("type=\"Float64\" Name=\"Points\"", *points, 24);
+  const auto types = vtu.array("type=\"UInt8\" Name=\"types\"", *cells, 1);
+  if (types.has_value() && !all_tetrahedra(*types, *cells))
+    return bad(ErrorCode::syntax, "a cell is no tetrahedron");
   auto corners = vtu.array("type=\"Int32\" Name=\"connectivity\"", *cells, 16);
-  auto types = vtu.array("type=\"UInt8\" Name=\"types\"", *cells, 1);
   if (!coordinates.has_value() || !corners.has_value() || !types.has_value()) {
     return bad(ErrorCode::truncated,
                "a data array is missing or does not have the length that the header says");
@@ -89,7 +98,6 @@ Result<Solid> parse_vtu(std::string_view bytes, std::string name) {
   }
   solid.tets.resize(static_cast<std::size_t>(*cells));
   for (auto& tet : solid.tets) {
-    if (types->read<std::uint8_t>() != 10) return bad(ErrorCode::syntax, "a cell is no tetrahedron");
     for (std::uint32_t& corner : tet) {
       corner = corners->read<std::uint32_t>();
       if (corner >= *points)

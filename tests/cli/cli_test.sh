@@ -7,6 +7,9 @@ trap 'rm -rf "$work"' EXIT
 cd "$work" || exit 1
 failures=0
 
+# fail MESSAGE: counts a failure.
+fail() { echo "FAILED: $1"; failures=$((failures + 1)); }
+
 # expect CODE PATTERN ARGUMENT...: runs the program; checks its exit code and that its output matches.
 expect() {
   local code=$1 pattern=$2 got
@@ -52,7 +55,7 @@ expect 2 '' reconstruct "$source/examples/demo.contour" -o x.ply --mode best
 expect 2 '' reconstruct "$source/examples/demo.contour" -o x.ply --match-tolerance -1
 expect 2 '' slice x.ply -o x.contour --parallel 3 --random 4
 expect 0 '^crossloft [0-9]' --version
-for command in reconstruct info check compare slice moebius demo; do expect 0 "crossloft $command" $command --help; done
+for command in reconstruct info check compare slice moebius delaunay demo; do expect 0 "crossloft $command" $command --help; done
 
 # Bad files
 expect 3 'missing.contour' reconstruct missing.contour -o x.ply
@@ -83,6 +86,136 @@ expect 3 'planes.txt:1: expected four' slice cube.ply -o cut2.csl --planes plane
 absent cut2.csl
 expect 0 '' reconstruct cube.contour -o quiet.ply --quiet
 [ -s out.txt ] && { echo "FAILED: --quiet is not"; cat out.txt; failures=$((failures + 1)); }
+
+# Delaunay: the same points as text, surfaces and raw doubles
+# value KEY REPORT: what a report says.
+value() { sed -n "s/^  \"$1\": \"\?\([^\",]*\)\"\?,\?\$/\1/p" "$2"; }
+# is REPORT KEY EXPECTED [KEY EXPECTED]...
+is() {
+  local report=$1
+  shift
+  for (( ; $#; )); do
+    [ "$(value "$1" "$report")" = "$2" ] || fail "$report has $1 '$(value "$1" "$report")', not '$2'"
+    shift 2
+  done
+}
+# double N: the eight bytes of a whole number N >= 0 as a double, the least significant first.
+double() {
+  local n=$1 e=0 bits=0 i
+  if [ "$n" -gt 0 ]; then
+    while [ $((n >> (e + 1))) -gt 0 ]; do e=$((e + 1)); done
+    bits=$(((e + 1023) << 52 | ((n << (52 - e)) & ((1 << 52) - 1))))
+  fi
+  for i in 0 8 16 24 32 40 48 56; do printf "\\x$(printf %x $(((bits >> i) & 255)))"; done
+}
+awk 'BEGIN { r = 7; for (i = 0; i < 60; ++i) { for (k = 0; k < 3; ++k) { r = (r * 1103 + 12345) % 65536
+             printf "%d ", int(r / 2048) } print "" } print "31 31 31\n31 31 31" }' >p.txt
+points=$(grep -c . p.txt)
+{ printf 'OFF\n%d 0 0\n' "$points"; cat p.txt; } >p.off
+{ printf 'ply\nformat ascii 1.0\nelement vertex %d\nproperty double x\nproperty double y\nproperty double z\nend_header\n' "$points"
+  cat p.txt; } >p.ply
+for n in $(cat p.txt); do double "$n"; done >p.f64
+cp p.txt p.xyz
+for kind in xyz txt off ply f64; do expect 0 "^points +$points\$" delaunay p.$kind -o $kind.mesh --report $kind.json; done
+is txt.json delaunay_version 1 file p.txt points "$points" dimension 3 duplicates 1 threads 1
+[ "$(value tets txt.json)" -gt 100 ] && [ "$(value peak_rss_kib txt.json)" -gt 1000 ] || fail 'no tets or no memory'
+for kind in xyz off ply f64; do
+  is $kind.json hash "$(value hash txt.json)"
+  cmp -s txt.mesh $kind.mesh || fail "other tetrahedra from $kind"
+done
+tac p.txt >reversed.txt
+expect 0 '^duplicates +1$' delaunay reversed.txt --report reversed.json
+is reversed.json tets "$(value tets txt.json)"
+[ "$(value hash reversed.json)" != "$(value hash txt.json)" ] || fail 'the hash does not see the numbers'
+
+# The hash as docs/report.md has it. The shift of bash drags the sign along, so its upper bits are cut off.
+mix() {
+  local z=$1
+  z=$(((z ^ ((z >> 30) & ((1 << 34) - 1))) * 0xbf58476d1ce4e5b9))
+  z=$(((z ^ ((z >> 27) & ((1 << 37) - 1))) * 0x94d049bb133111eb))
+  mixed=$((z ^ ((z >> 31) & ((1 << 33) - 1))))
+}
+# hash_of MESH SECTION CORNERS
+hash_of() {
+  local sum=0 hash v
+  while read -r -a corners; do
+    hash=0
+    for v in $(printf '%d\n' "${corners[@]:0:$3}" | sort -n); do mix $((hash + v - 1 + 0x9e3779b97f4a7c15)); hash=$mixed; done
+    sum=$((sum + hash))
+  done < <(sed "1,/^$2\$/d; /^End/d" "$1" | sed 1d)
+  printf %016x $sum
+}
+is txt.json hash "$(hash_of txt.mesh Tetrahedra 4)"
+printf '0 0 0\n1 0 0\n0 1 0\n0 0 1\n' >tet.txt
+expect 0 '^hash +7632f01967560332$' delaunay tet.txt
+
+expect 0 '^tets +204$' delaunay "$source/examples/points.txt" -o example.vtu
+awk 'BEGIN { srand(5); for (i = 0; i < 50000; ++i) print rand(), rand(), rand() }' >many.txt
+expect 0 '' delaunay many.txt -o one.vtu --report one.json --threads 1
+expect 0 '' delaunay many.txt -o two.vtu --report two.json --threads 2
+cmp -s one.vtu two.vtu || fail 'other bytes with two threads'
+is two.json threads 2 hash "$(value hash one.json)"
+"$program" delaunay many.txt -o many.mesh >/dev/null 2>&1 </dev/null & running=$!
+until [ -e .many.mesh.0.tmp ] || ! kill -0 $running 2>/dev/null; do :; done
+kill -INT $running 2>/dev/null
+wait $running
+case $? in 0) ;; 130) absent many.mesh ;; *) fail "interrupted with $?" ;; esac
+absent
+
+# Weights: none of them matters if all are equal; a light point is hidden
+sed 's/$/ 0/' p.txt >zero.txt
+expect 0 '^hidden +0$' delaunay zero.txt --weights -o zero.mesh --report zero.json --threads 2
+is zero.json hash "$(value hash txt.json)" tets "$(value tets txt.json)" hidden 0 duplicates 1 threads 1
+for n in $(cat zero.txt); do double "$n"; done >zero.f64
+expect 0 '' delaunay zero.f64 --weights --report zero2.json
+is zero2.json hash "$(value hash txt.json)"
+printf '0 0 0 0\n9 0 0 0\n0 9 0 0\n0 0 9 0\n1 1 1 -100\n0 0 0 -1\n9 0 0 0\n' >light.txt
+expect 0 '^hidden +2$' delaunay light.txt --weights --report light.json
+is light.json points 7 tets 1 hidden 2 duplicates 1
+
+# Lower dimensions
+printf '0 0 5\n4 0 5\n4 4 5\n0 4 5\n1 2 5\n0 4 5\n' >plane.txt
+printf '3 3 3\n1 1 1\n2 2 2\n' >line.txt
+printf '1 2 3\n1 2 3\n' >place.txt
+printf '# nothing\n' >nothing.txt
+expect 0 '^dimension +2, all points on one plane$' delaunay plane.txt -o plane.mesh --report plane.json
+is plane.json dimension 2 tets 0 triangles 4 duplicates 1 hash "$(hash_of plane.mesh Triangles 3)"
+expect 0 '^edges +2$' delaunay line.txt -o line.mesh --report line.json
+is line.json dimension 1 tets 0 edges 2 duplicates 0 hash "$(hash_of line.mesh Edges 2)"
+expect 0 '^vertices +1$' delaunay place.txt -o place.vtu --report place.json
+is place.json dimension 0 tets 0 duplicates 1
+expect 0 '^dimension +-1, no points$' delaunay nothing.txt -o nothing.vtu --report nothing.json
+is nothing.json dimension -1 points 0 tets 0 hash 0000000000000000
+: >empty.f64
+expect 0 '^points +0$' delaunay empty.f64
+
+# Bad points
+# bad_points CODE PATTERN FILE ARGUMENT...: one message, nothing written.
+bad_points() {
+  expect "$1" "^crossloft: .*$2" delaunay "${@:3}" -o none.vtu --report none.json
+  [ "$(grep -c . out.txt)" = 1 ] || { fail "$3: not one message"; cat out.txt; }
+  absent none.vtu none.json
+}
+printf '0 0 0\n1 2\n' >short.txt
+bad_points 3 'short.txt:2: 2 numbers' short.txt
+bad_points 3 'p.txt:1: 3 numbers' p.txt --weights
+bad_points 3 'zero.txt:1: more than 3 numbers' zero.txt
+printf '0 0 0\n\n1 nan 2\n' >nan.txt
+bad_points 3 'nan.txt:3: the y of a point' nan.txt
+printf 'x' | cat p.f64 - >odd.f64
+bad_points 3 "odd.f64: has $((24 * points + 1)) bytes, .*the 24 bytes of a point" odd.f64
+{ double 1; double 2; printf '\0\0\0\0\0\0\370\177'; } >nan.f64
+bad_points 3 'nan.f64: point 0' nan.f64
+bad_points 3 'missing.xyz: cannot be read' missing.xyz
+printf 'OFF\n2 0 0\n0 0 0\n' >cut.off
+bad_points 3 'cut.off' cut.off
+bad_points 2 'p.off: has the extension .off' p.off --weights
+bad_points 2 'unknown extension' points.csv
+expect 2 'unknown extension' delaunay p.txt -o p.stl
+expect 2 '' delaunay p.txt --threads -1
+ln -s p.txt link.json
+expect 2 'link.json: is the input' delaunay p.txt --report link.json
+expect 3 'its folder is not there' delaunay p.txt -o no/p.vtu
 
 # Moebius diagrams: a disc in the plane of the others, a hidden site
 printf '# x y lambda mu\n0 0 4\n3 0\n3 0 1 -1\n' >sites.txt

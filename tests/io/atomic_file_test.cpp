@@ -22,6 +22,28 @@ TEST_CASE("a file is written whole and leaves nothing beside it") {
   CHECK(scratch.files() == 1);
 }
 
+TEST_CASE("a file is read in pieces of one size, until nobody wants more") {
+  const Scratch scratch;
+  std::string bytes;
+  for (std::size_t i = 0; i < 2 * kPieceBytes + 5; ++i) bytes += static_cast<char>(i * i % 251);
+  const std::string path = scratch.add("f", bytes);
+  std::string together;
+  std::vector<std::size_t> sizes;
+  const auto keep = [&](std::string_view piece) {
+    together += piece;
+    sizes.push_back(piece.size());
+    return true;
+  };
+  REQUIRE(read_pieces(path, keep).ok());
+  CHECK(together == bytes);
+  CHECK(sizes == std::vector<std::size_t>{kPieceBytes, kPieceBytes, 5});
+  int pieces = 0;
+  REQUIRE(read_pieces(path, [&](std::string_view) { return ++pieces < 2; }).ok());
+  CHECK(pieces == 2);
+  CHECK(read_pieces(scratch.path("none"), keep).error().code == ErrorCode::file_not_readable);
+  CHECK(read_pieces(scratch.path(), keep).error().code == ErrorCode::file_not_readable);
+}
+
 TEST_CASE("without commit the target stays as it was") {
   const Scratch scratch;
   scratch.add("f", "old");
