@@ -22,7 +22,7 @@ namespace crossloft {
 ///     triangulation.build();
 ///     if (triangulation.dimension() == 3) TetMesh mesh = triangulation.tet_mesh();
 ///
-/// Expected time O(n log n) plus the tetrahedra made; 36 bytes a tetrahedron. Needs fewer than 2^30
+/// Expected time O(n log n) plus the tetrahedra made; 33 bytes a tetrahedron. Needs fewer than 2^30
 /// tetrahedra, hull facets included. One object is used by one thread; `P` must outlive it.
 template <PointPredicates3 P>
 class Delaunay3 {
@@ -31,6 +31,9 @@ class Delaunay3 {
 
   /// Triangulates all points. Call it once.
   void build() { core_.build(); }
+  /// As build(), faster if the points are stored in insertion_order, possibly very slow if not. With several
+  /// threads the same tetrahedra, in another order.
+  void build_in_given_order(unsigned threads = 1) { core_.build_in_given_order(threads); }
   /// Adds the points that the predicates object gained: those from `first` on. The result is that of build()
   /// on all points. REQUIRES: the points before `first` are in.
   void extend(std::uint32_t first) { core_.build(first); }
@@ -44,6 +47,12 @@ class Delaunay3 {
   TetMesh tet_mesh() const {
     TetMesh mesh;
     core_.finite(mesh.vertices, mesh.neighbours);
+    return mesh;
+  }
+  /// The same without a copy; afterwards only kept() and the dimension may be asked.
+  TetMesh release_tet_mesh() {
+    TetMesh mesh;
+    core_.release(mesh.vertices, mesh.neighbours);
     return mesh;
   }
   /// Empty if sound, else the first broken invariant: symmetric neighbours, positive orientation, ghosts in

@@ -28,7 +28,7 @@ class DelaunayCore {
   /// Inserts the points of the predicates object from `first` on.
   void build(std::uint32_t first = 0);
   /// Inserts all points in the order of their indices: for points stored in insertion_order.
-  void build_in_given_order();
+  void build_in_given_order(unsigned threads = 1);
   /// Inserts point i, searching from vertex `near` if the dimension is 2 and it is given. Returns the vertex
   /// that stands for it.
   std::uint32_t insert(std::uint32_t i, std::uint32_t near = kNone);

@@ -19,7 +19,7 @@ void DelaunayCore<D, P>::build(std::uint32_t first) {
 }
 
 template <std::size_t D, class P>
-void DelaunayCore<D, P>::build_in_given_order() {
+void DelaunayCore<D, P>::build_in_given_order([[maybe_unused]] unsigned threads) {
   make_room();
   inserter_.see_points();
   for (std::uint32_t i = 0; i < predicates_.size(); ++i) insert(i);

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "../geom/lattice_filters.h"
+#include "../geom/static_bounds.h"
 #include "point_predicates.h"
 
 namespace crossloft {
@@ -13,21 +13,29 @@ namespace crossloft {
 /// True iff the points lie on one line, or two are equal.
 bool collinear(const LatticePoint& a, const LatticePoint& b, const LatticePoint& c);
 
+inline LiftedRow lifted_row(const LatticePoint& p, const LatticePoint& origin) {
+  const Vec3 d = filters::difference(p, origin);
+  return {d, dot(d, d)};
+}
+/// Only the bounds of explicit points alone have a scale; then nothing is blurred.
+inline LiftedError lifted_error(const StaticBounds& bounds) {
+  LiftedError error{.absolute = bounds.insphere};
+  if (bounds.scale != 0) error.relative = filters::kInsphereError;
+  return error;
+}
+
 /// Points in space; the span must stay as it is.
 class LatticePredicates3 {
  public:
-  explicit LatticePredicates3(std::span<const LatticePoint> points) : points_(points) {}
+  explicit LatticePredicates3(std::span<const LatticePoint> points) : points_(points), bounds_(static_bounds(points)) {}
 
   std::uint32_t size() const { return static_cast<std::uint32_t>(points_.size()); }
   double coordinate(std::uint32_t i, int axis) const { return points_[i][axis]; }
   int orient3d(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) const {
-    if (const int sign = orient3d_filter(points_[a], points_[b], points_[c], points_[d])) return sign;
-    return orient3d_exact(points_[a], points_[b], points_[c], points_[d]);
+    return crossloft::orient3d(bounds_, points_[a], points_[b], points_[c], points_[d]);
   }
   int insphere(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d, std::uint32_t e) const {
-    if (const int sign = insphere_filter(points_[a], points_[b], points_[c], points_[d], points_[e]))
-      return sign;
-    return insphere_exact(points_[a], points_[b], points_[c], points_[d], points_[e]);
+    return crossloft::insphere(bounds_, points_[a], points_[b], points_[c], points_[d], points_[e]);
   }
   bool collinear(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
     return crossloft::collinear(points_[a], points_[b], points_[c]);
@@ -35,9 +43,14 @@ class LatticePredicates3 {
   int compare_lex(std::uint32_t a, std::uint32_t b) const {
     return crossloft::compare_lex(points_[a], points_[b]);
   }
+  LiftedRow lifted(std::uint32_t i, std::uint32_t origin) const {
+    return lifted_row(points_[i], points_[origin]);
+  }
+  LiftedError lifted_error() const { return crossloft::lifted_error(bounds_); }
 
  private:
   std::span<const LatticePoint> points_;
+  StaticBounds bounds_;
 };
 
 /// Points of one plane, oriented by its normal; the vector may grow between calls of the triangulation.
@@ -70,7 +83,7 @@ class LatticePredicates2 {
   int first_, second_;
 };
 
-static_assert(PointPredicates3<LatticePredicates3>);
+static_assert(PointPredicates3<LatticePredicates3> && LiftsPoints<LatticePredicates3>);
 static_assert(MetricPredicates2<LatticePredicates2>);
 
 }  // namespace crossloft

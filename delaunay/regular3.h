@@ -62,6 +62,8 @@ class Regular3 {
   /// Dimension 3: the finite tetrahedra, orient3d > 0, in an order that depends on the order of the sites.
   /// Otherwise empty.
   TetMesh tet_mesh() const;
+  /// The same without a copy; afterwards only kept() and the dimension may be asked.
+  TetMesh release_tet_mesh();
   /// Dimension 2: the triangles, orient2d(a, b, c, dropped_axis()) > 0. Otherwise empty.
   TriMesh tri_mesh() const;
   /// Dimension 2: the axis along which the plane of the sites is projected. Otherwise -1.
@@ -108,6 +110,13 @@ template <PowerPredicates3 P>
 TetMesh Regular3<P>::tet_mesh() const {
   TetMesh mesh;
   space_.finite(mesh.vertices, mesh.neighbours);
+  return mesh;
+}
+
+template <PowerPredicates3 P>
+TetMesh Regular3<P>::release_tet_mesh() {
+  TetMesh mesh;
+  space_.release(mesh.vertices, mesh.neighbours);
   return mesh;
 }
 

@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
+#include "delaunay3.h"
 #include "insertion_order.h"
-#include "delaunay_core.h"
 #include "regular3.h"
 #include "vec3_predicates.h"
 #include "weighted_predicates.h"
@@ -12,20 +13,13 @@
 namespace crossloft {
 namespace {
 
-std::vector<std::uint32_t> order_of(std::span<const WeightedPoint> points) {
-  std::vector<std::array<double, 3>> places;
-  places.reserve(points.size());
-  for (const WeightedPoint& p : points) places.push_back({p.position.x, p.position.y, p.position.z});
-  return insertion_order(std::span<const std::array<double, 3>>(places));
-}
-
-/// For each vertex the lowest of the points, by their first numbers, that it stands for; kNone for others.
-std::vector<std::uint32_t> first_numbers(const Regular3<WeightedPredicates3>& triangulation,
-                                         const std::vector<std::uint32_t>& order) {
-  std::vector<std::uint32_t> number(order.size(), kNone);
-  for (std::uint32_t k = 0; k < order.size(); ++k)
-    if (const std::uint32_t v = triangulation.kept(k); v != kNone) number[v] = std::min(number[v], order[k]);
-  return number;
+/// The points in another order.
+template <class Point>
+std::vector<Point> in_order(std::span<const Point> points, const std::vector<std::uint32_t>& order) {
+  std::vector<Point> stored;
+  stored.reserve(points.size());
+  for (const std::uint32_t i : order) stored.push_back(points[i]);
+  return stored;
 }
 
 template <std::size_t N>
@@ -35,45 +29,63 @@ void renumber(std::vector<std::array<std::uint32_t, N>>& simplices,
     for (std::uint32_t& v : simplex) v = number[v];
 }
 
+/// From numbers in `order` to those of the points given. `number` becomes, for each vertex, the lowest of the
+/// points that it stands for.
+template <class Kept>
+void rename_vertices(Triangulation& result, const std::vector<std::uint32_t>& order, const Kept& kept) {
+  std::vector<std::uint32_t> number(order.size(), kNone);
+  for (std::uint32_t k = 0; k < order.size(); ++k)
+    if (const std::uint32_t v = kept(k); v != kNone) number[v] = std::min(number[v], order[k]);
+  renumber(result.tets.vertices, number);
+  renumber(result.triangles.vertices, number);
+  for (std::uint32_t& v : result.chain) v = number[v];
+  result.kept.assign(order.size(), kNone);
+  for (std::uint32_t k = 0; k < order.size(); ++k)
+    if (const std::uint32_t v = kept(k); v != kNone) result.kept[order[k]] = number[v];
+}
+
+/// Points of a plane or line: the regular triangulation knows what to do, and equal weights change nothing.
+Triangulation flat_triangulation(const std::vector<Vec3>& stored, const std::vector<std::uint32_t>& order) {
+  std::vector<WeightedPoint> points(stored.size());
+  for (std::size_t k = 0; k < order.size(); ++k) points[order[k]] = {stored[k], 0};
+  return regular_triangulation(points);
+}
+
 }  // namespace
 
-Triangulation delaunay_triangulation(std::vector<Vec3> points, unsigned) {
+Triangulation delaunay_triangulation(std::vector<Vec3> points, unsigned threads) {
   const std::vector<std::uint32_t> order = insertion_order(std::span<const Vec3>(points));
-  {
-    std::vector<Vec3> stored;
-    stored.reserve(points.size());
-    for (const std::uint32_t i : order) stored.push_back(points[i]);
-    points = std::move(stored);
-  }
+  points = in_order(std::span<const Vec3>(points), order);
   const Vec3Predicates3 predicates(points);
-  detail::DelaunayCore<3, Vec3Predicates3> core(predicates);
-  core.build_in_given_order();
+  Delaunay3 triangulation(predicates);
+  triangulation.build_in_given_order(threads);
+  if (triangulation.dimension() < 3) return flat_triangulation(points, order);
+
   Triangulation result;
-  result.dimension = core.dimension();
-  core.release(result.tets.vertices, result.tets.neighbours);
-  for (auto& tet : result.tets.vertices)
-    for (std::uint32_t& v : tet) v = order[v];
+  result.dimension = 3;
+  result.tets = triangulation.release_tet_mesh();
+  points = {};
+  rename_vertices(result, order, [&](std::uint32_t k) { return triangulation.kept(k); });
   return result;
 }
 
 Triangulation regular_triangulation(std::span<const WeightedPoint> points) {
-  const std::vector<std::uint32_t> order = order_of(points);
-  std::vector<WeightedPoint> stored;
-  stored.reserve(points.size());
-  for (const std::uint32_t i : order) stored.push_back(points[i]);
+  std::vector<Vec3> places;
+  places.reserve(points.size());
+  for (const WeightedPoint& p : points) places.push_back(p.position);
+  const std::vector<std::uint32_t> order = insertion_order(std::span<const Vec3>(places));
+  const std::vector<WeightedPoint> stored = in_order(points, order);
   const WeightedPredicates3 predicates(stored);
   Regular3 triangulation(predicates);
   triangulation.build_in_given_order();
 
-  const std::vector<std::uint32_t> number = first_numbers(triangulation, order);
-  Triangulation result{triangulation.dimension(),    std::vector<std::uint32_t>(points.size(), kNone),
-                              triangulation.tet_mesh(),     triangulation.tri_mesh(),
-                              triangulation.dropped_axis(), triangulation.chain()};
-  for (std::uint32_t k = 0; k < order.size(); ++k)
-    if (const std::uint32_t v = triangulation.kept(k); v != kNone) result.kept[order[k]] = number[v];
-  renumber(result.tets.vertices, number);
-  renumber(result.triangles.vertices, number);
-  for (std::uint32_t& v : result.chain) v = number[v];
+  Triangulation result;
+  result.dimension = triangulation.dimension();
+  result.triangles = triangulation.tri_mesh();
+  result.dropped_axis = triangulation.dropped_axis();
+  result.chain = triangulation.chain();
+  result.tets = triangulation.release_tet_mesh();
+  rename_vertices(result, order, [&](std::uint32_t k) { return triangulation.kept(k); });
   return result;
 }
 

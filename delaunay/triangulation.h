@@ -22,15 +22,24 @@ struct Triangulation {
   std::vector<std::uint32_t> chain;  ///< dimension 1 and 0: the vertices along the line
 };
 
-/// The Delaunay triangulation, ties broken as in Delaunay3: exact for all finite doubles, a function of the
-/// points, the same bytes for any number of threads. Of equal points the one of lowest index is the vertex.
-/// Points on one plane or line get the triangulation of that plane or line. The points are taken over, since
-/// they are stored in insertion_order for the while. `threads` >= 1. Expected O(n log n) plus the tetrahedra made. REQUIRES: finite
-/// coordinates, fewer than 2^30 tetrahedra.
+/// The Delaunay triangulation, ties broken as in Delaunay3: exact for all finite doubles, the same set of
+/// simplices for any number of threads. Of equal points the one of lowest index is the vertex. Points on one
+/// plane or line get the triangulation of that plane or line. The simplices come in no particular order
+/// (sort_simplices).
+///
+/// The points are taken over and stored in insertion_order for the while. Besides the result 25 bytes a point
+/// and 1 a tetrahedron, 4 a point more for each further thread. Expected O(n log n) plus the tetrahedra made.
+/// `threads`: 0 counts as 1; few points use fewer. REQUIRES: finite coordinates, fewer than 2^30 tetrahedra, hull facets
+/// included.
 Triangulation delaunay_triangulation(std::vector<Vec3> points, unsigned threads = 1);
 
-/// The regular triangulation (contracts in regular3.h) in the same way, exact for all finite doubles. Besides
-/// the result, 36 bytes a tetrahedron and 52 a point. REQUIRES: finite coordinates and weights.
+/// The regular triangulation (contracts in regular3.h) in the same way. REQUIRES: finite coordinates and
+/// weights.
 Triangulation regular_triangulation(std::span<const WeightedPoint> points);
+
+/// Puts the simplices into the order of their vertices, and the vertices of each into the ascending order, or
+/// that with the last two exchanged, whichever has its orientation: then the arrays are a function of the
+/// points alone. O(n) expected, 12 bytes a tetrahedron for the while.
+void sort_simplices(Triangulation& triangulation);
 
 }  // namespace crossloft

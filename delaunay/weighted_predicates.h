@@ -5,9 +5,7 @@
 #include <cstdint>
 #include <span>
 
-#include "../geom/predicates.h"
-#include "../geom/weighted_filters.h"
-#include "../geom/weighted_predicates.h"
+#include "../geom/static_bounds.h"
 #include "point_predicates.h"
 
 namespace crossloft {
@@ -16,7 +14,7 @@ namespace crossloft {
 /// weights.
 class WeightedPredicates3 {
  public:
-  explicit WeightedPredicates3(std::span<const WeightedPoint> points) : points_(points) {}
+  explicit WeightedPredicates3(std::span<const WeightedPoint> points) : points_(points), bounds_(static_bounds(points)) {}
 
   std::uint32_t size() const { return static_cast<std::uint32_t>(points_.size()); }
   double coordinate(std::uint32_t i, int axis) const {
@@ -24,14 +22,17 @@ class WeightedPredicates3 {
     return axis == 0 ? p.x : axis == 1 ? p.y : p.z;
   }
   int orient3d(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) const {
-    if (const int sign = orient3d_filter(at(a), at(b), at(c), at(d))) return sign;
-    return crossloft::orient3d(at(a), at(b), at(c), at(d));
+    return crossloft::orient3d(bounds_, at(a), at(b), at(c), at(d));
   }
   int power_test(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d, std::uint32_t e) const {
-    if (const int sign = power_test_filter(points_[a], points_[b], points_[c], points_[d], points_[e]))
-      return sign;
-    return crossloft::power_test(points_[a], points_[b], points_[c], points_[d], points_[e]);
+    return crossloft::power_test(bounds_, points_[a], points_[b], points_[c], points_[d], points_[e]);
   }
+  LiftedRow lifted(std::uint32_t i, std::uint32_t origin) const {
+    const filters::Lifted l = filters::lifted(points_[i], points_[origin]);
+    return {l.d, l.lift};
+  }
+  /// Lifts may cancel, so their maxima say nothing.
+  LiftedError lifted_error() const { return {.absolute = bounds_.insphere}; }
   int compare_lex(std::uint32_t a, std::uint32_t b) const {
     const auto order = at(a) <=> at(b);
     return order < 0 ? -1 : order > 0 ? 1 : 0;
@@ -55,8 +56,9 @@ class WeightedPredicates3 {
   const Vec3& at(std::uint32_t i) const { return points_[i].position; }
 
   std::span<const WeightedPoint> points_;
+  StaticBounds bounds_;
 };
 
-static_assert(PowerPredicates3<WeightedPredicates3>);
+static_assert(PowerPredicates3<WeightedPredicates3> && LiftsPoints<WeightedPredicates3>);
 
 }  // namespace crossloft

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <chrono>
 
-#include "../delaunay/lattice_predicates.h"
 #include "self_check.h"
 
 namespace crossloft {
@@ -36,6 +35,7 @@ Result<Done> CellTriangulation::add(std::span<const CellFace> faces, std::span<c
       const auto v = first + static_cast<std::size_t>(at - added.begin());
       vertices_.face_masks[v * vertices_.words + f / 64] |= std::uint64_t{1} << (f % 64);
     }
+  predicates_.see_vertices();
   if (first == 0)
     delaunay_.build();
   else

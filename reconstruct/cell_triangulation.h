@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "../delaunay/delaunay3.h"
+#include "../delaunay/lattice_predicates.h"
 #include "../geom/lattice.h"
 #include "../geom/result.h"
 #include "face_triangulation.h"
@@ -42,21 +43,28 @@ struct CellVertices {
 };
 
 /// Predicates over the vertices of a cell that answer what the faces already say: four vertices on one face
-/// are coplanar, three on two faces collinear. Sees vertices that are added later.
+/// are coplanar, three on two faces collinear. Sees vertices that are added later, after see_vertices().
 class CellPredicates {
  public:
   explicit CellPredicates(const CellVertices& vertices) : v_(&vertices) {}
+  /// To be called when vertices have come.
+  void see_vertices() { bounds_ = static_bounds(std::span<const LatticePoint>(v_->points)); }
 
   std::uint32_t size() const { return v_->size(); }
   double coordinate(std::uint32_t i, int axis) const { return v_->points[i][axis]; }
   int orient3d(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) const {
     for (std::uint32_t w = 0; w < v_->words; ++w)
       if ((v_->mask(a, w) & v_->mask(b, w) & v_->mask(c, w) & v_->mask(d, w)) != 0) return 0;
-    return crossloft::orient3d(v_->points[a], v_->points[b], v_->points[c], v_->points[d]);
+    return crossloft::orient3d(bounds_, v_->points[a], v_->points[b], v_->points[c], v_->points[d]);
   }
   int insphere(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d, std::uint32_t e) const {
-    return crossloft::insphere(v_->points[a], v_->points[b], v_->points[c], v_->points[d], v_->points[e]);
+    return crossloft::insphere(bounds_, v_->points[a], v_->points[b], v_->points[c], v_->points[d],
+                               v_->points[e]);
   }
+  LiftedRow lifted(std::uint32_t i, std::uint32_t origin) const {
+    return lifted_row(v_->points[i], v_->points[origin]);
+  }
+  LiftedError lifted_error() const { return crossloft::lifted_error(bounds_); }
   bool collinear(std::uint32_t a, std::uint32_t b, std::uint32_t c) const;
   /// Numbers are in lexicographic order.
   int compare_lex(std::uint32_t a, std::uint32_t b) const {
@@ -65,9 +73,10 @@ class CellPredicates {
 
  private:
   const CellVertices* v_;
+  StaticBounds bounds_;
 };
 
-static_assert(PointPredicates3<CellPredicates>);
+static_assert(PointPredicates3<CellPredicates> && LiftsPoints<CellPredicates>);
 
 /// Vertices keep their local number when more are added; the triangulation depends on the set alone.
 class CellTriangulation {
