@@ -298,12 +298,14 @@ int side_of_plane(const LatticePlane& plane, const LatticePoint& p) {
 }
 
 int orient3d(const LatticePoint& a, const LatticePoint& b, const LatticePoint& c, const LatticePoint& d) {
+  if (filters::all_explicit(a, b, c, d)) return orient3d_explicit(a, b, c, d);
   if (const int sign = orient3d_filter(a, b, c, d)) return sign;
   return orient3d_exact(a, b, c, d);
 }
 
 int insphere(const LatticePoint& a, const LatticePoint& b, const LatticePoint& c, const LatticePoint& d,
              const LatticePoint& e) {
+  if (filters::all_explicit(a, b, c, d, e)) return insphere_explicit(a, b, c, d, e);
   if (const int sign = insphere_filter(a, b, c, d, e)) return sign;
   return insphere_exact(a, b, c, d, e);
 }
