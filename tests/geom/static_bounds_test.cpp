@@ -171,6 +171,44 @@ TEST_CASE("NaN and infinity: no bound, and the answer 0") {
     }
 }
 
+TEST_CASE("the bound of a set is no less than that of any of its tuples") {
+  Doubles doubles(kSeed + 6);
+  for (const int exponents : {0, 2, 10, 60}) {
+    std::vector<Vec3> points(50);
+    for (Vec3& p : points) p = doubles.vec(-exponents, exponents / 2);
+    const StaticBounds bounds = static_bounds(std::span<const Vec3>(points));
+    for (int round = 0; round < 2000; ++round) {
+      const auto any = [&] { return points[doubles.index(points.size())]; };
+      const Vec3 a = any(), b = any(), c = any(), d = any(), e = any();
+      CHECK(filters::kRoundedOrient3dError * filters::orient3d(b - a, c - a, d - a).size() <=
+            bounds.orient3d);
+      CHECK(filters::kRoundedInsphereError * filters::insphere(a - e, b - e, c - e, d - e).size() <=
+            bounds.insphere);
+    }
+  }
+}
+
+TEST_CASE("an exact evaluation: up to its largest box, and no further") {
+  Doubles doubles(kSeed + 7);
+  for (const bool lifted : {false, true}) {
+    double side = 1;  // the largest box for which the bound is 0
+    const auto exact_on = [&](double s) {
+      const std::vector<Vec3> box{{0, 0, 0}, {s, s, s}};
+      const StaticBounds bounds = static_bounds(std::span<const Vec3>(box));
+      return (lifted ? bounds.insphere : bounds.orient3d) == 0;
+    };
+    while (exact_on(side + 1)) ++side;
+    CHECK(24 * 3 * std::pow(side, 5) <= (lifted ? 0x1p53 : std::numeric_limits<double>::infinity()));
+    CHECK(6 * std::pow(side, 3) <= 0x1p53);
+    std::vector<Vec3> points;
+    const double pool[] = {0, 1, side / 2 - 1, side - 2, side - 1, side};
+    for (const double x : pool)
+      for (const double y : pool)
+        for (const double z : pool) points.push_back({std::floor(x), std::floor(y), std::floor(z)});
+    check_set(points, 2000, doubles);
+  }
+}
+
 TEST_CASE("an empty set and a single point have no bound") {
   CHECK(static_bounds(std::span<const Vec3>()).orient3d == StaticBounds::kNone);
   const std::vector<Vec3> one{{1, 2, 3}};
