@@ -93,7 +93,7 @@ template <class Shape, class... Rows>
 int explicit_sign(const filters::Estimate& e, double error, const Rows&... rows) {
   const double bound = error * e.size();
   if (const int sign = filters::decide(e.det, bound)) return sign;
-  return small_integers::difference_sign<Shape>(bound, 1, rows...);
+  return small_integers::integer_sign<Shape>(bound, rows...);
 }
 
 Vec3 difference(const Axes& k, const LatticePoint& p, const LatticePoint& origin) {

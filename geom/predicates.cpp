@@ -55,7 +55,7 @@ template <class Shape, class... Points>
   const double distance = (distance_to_integers(origin) + ... + distance_to_integers(points));
   if (!(distance >= 0)) return 0;  // NaN or infinity
   if (distance == 0 && std::max(std::max(e.x, e.y), e.z) <= kLargestDifference)
-    return difference_sign<Shape>(bound, 1, (points - origin)...);
+    return integer_sign<Shape>(bound, (points - origin)...);
   return undecided_doubles<Shape>(e, bound, origin, points...);
 }
 

@@ -82,6 +82,15 @@ int difference_sign(double bound, double scale, const Rows&... rows) {
   return residue_sign<Shape, kDifferenceBits>(2 * bound * power(scale, Shape::kDegree), integers(rows)...);
 }
 
+/// The same of integers as they are; inlined, which saves the scaling.
+template <class Shape, class... Rows>
+[[gnu::always_inline]] inline int integer_sign(double bound, const Rows&... rows) {
+  const auto integers = [](const Vec3& d) -> IntegerRow {
+    return {static_cast<std::int64_t>(d.x), static_cast<std::int64_t>(d.y), static_cast<std::int64_t>(d.z)};
+  };
+  return residue_sign<Shape, kDifferenceBits>(2 * bound, integers(rows)...);
+}
+
 /// Adds up the distances of coordinates to integers: 0 for integers, NaN for NaN and infinity. Beyond 2^52
 /// all doubles are integers and adding kShifter may round, which finds some distance or none.
 inline double distance_to_integer(double v) {
