@@ -36,6 +36,9 @@ inline int decide(double det, double bound) {
   return static_cast<int>(det > bound) - static_cast<int>(det < -bound);
 }
 
+/// Of a determinant that is not 0; no branch, which half of the signs would mispredict.
+inline int sign_of(double det) { return det > 0 ? 1 : -1; }
+
 inline double largest(double a, double b) { return std::max(std::fabs(a), std::fabs(b)); }
 inline double largest(double a, double b, double c) { return std::max(largest(a, b), std::fabs(c)); }
 inline double largest(double a, double b, double c, double d) {

@@ -120,6 +120,20 @@ UnsignedNative native_product(const FixedInt<A, Cap>& a, const FixedInt<B, Cap>&
     return to_native(a) * to_native(b);
   }
 }
+/// a b for one limb and two: with b = 2^64 h + l, h signed and l not, a h by one signed multiplication and
+/// a l by an unsigned one, in which a negative a was too large by 2^64.
+template <class Product, class A, class B>
+Product one_by_two(const A& a, const B& b) {
+  const auto factor = static_cast<std::int64_t>(a.limb[0]);
+  const UnsignedNative low = static_cast<UnsignedNative>(a.limb[0]) * b.limb[0];
+  UnsignedNative high =
+      static_cast<UnsignedNative>(static_cast<Native>(factor) * static_cast<std::int64_t>(b.limb[1]));
+  high += static_cast<Limb>(low >> 64);
+  high -= factor < 0 ? b.limb[0] : 0;
+  Product r;
+  r.limb = {static_cast<Limb>(low), static_cast<Limb>(high), static_cast<Limb>(high >> 64)};
+  return r;
+}
 }  // namespace limbs
 #endif
 
@@ -164,7 +178,7 @@ FixedInt<A, Cap> operator-(const FixedInt<A, Cap>& a) {
 namespace limbs {
 /// The schoolbook product for few limbs, written out by the compiler.
 template <class Product, class A, class B>
-Product short_product(const A& a, const B& b) {
+[[gnu::always_inline]] inline Product short_product(const A& a, const B& b) {
   Product r;
   constexpr std::size_t kA = A::kLimbs, kB = B::kLimbs, kR = Product::kLimbs;
   // Unsigned product; then a two's complement factor was too large by 2^(64 n) if it is negative.
@@ -193,6 +207,10 @@ auto operator*(const FixedInt<A, Cap>& a, const FixedInt<B, Cap>& b) {
   }
 #if defined(__SIZEOF_INT128__)
   if constexpr (Product::kLimbs == 2) return limbs::from_native<Product>(limbs::native_product(a, b));
+#endif
+#if defined(__SIZEOF_INT128__)
+  if constexpr (Product::kLimbs == 3 && kA == 1 && kB == 2) return limbs::one_by_two<Product>(a, b);
+  if constexpr (Product::kLimbs == 3 && kA == 2 && kB == 1) return limbs::one_by_two<Product>(b, a);
 #endif
   if constexpr (kA * kB > 6) {
     limbs::multiply(r.limb.data(), r.kLimbs, a.limb.data(), kA, b.limb.data(), kB);

@@ -1,7 +1,7 @@
 #pragma once
 /// The first stage of the lattice predicates, inline so that a triangulation can inline it, and the exact
 /// stage behind it. A filter answers +-1 when that is certain and 0 when it cannot tell; `X_exact` is exact
-/// alone. `X` of lattice.h is the filter, then the exact stage:
+/// alone. `X` of lattice.h is both:
 ///
 ///     if (const int sign = orient3d_filter(a, b, c, d)) return sign;
 ///     return orient3d_exact(a, b, c, d);

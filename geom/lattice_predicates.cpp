@@ -93,7 +93,7 @@ template <class Shape, class... Rows>
 int explicit_sign(const filters::Estimate& e, double error, const Rows&... rows) {
   const double bound = error * e.size();
   if (const int sign = filters::decide(e.det, bound)) return sign;
-  return small_integers::difference_sign<Shape>(bound, 1, rows...);
+  return small_integers::integer_sign<Shape>(bound, rows...);
 }
 
 Vec3 difference(const Axes& k, const LatticePoint& p, const LatticePoint& origin) {
@@ -298,12 +298,14 @@ int side_of_plane(const LatticePlane& plane, const LatticePoint& p) {
 }
 
 int orient3d(const LatticePoint& a, const LatticePoint& b, const LatticePoint& c, const LatticePoint& d) {
+  if (filters::all_explicit(a, b, c, d)) return orient3d_explicit(a, b, c, d);
   if (const int sign = orient3d_filter(a, b, c, d)) return sign;
   return orient3d_exact(a, b, c, d);
 }
 
 int insphere(const LatticePoint& a, const LatticePoint& b, const LatticePoint& c, const LatticePoint& d,
              const LatticePoint& e) {
+  if (filters::all_explicit(a, b, c, d, e)) return insphere_explicit(a, b, c, d, e);
   if (const int sign = insphere_filter(a, b, c, d, e)) return sign;
   return insphere_exact(a, b, c, d, e);
 }

@@ -34,26 +34,29 @@ template <class Shape, class... Points>
   });
 }
 
-/// The stages for doubles that are no integers, out of the way of what is more frequent.
+// What the filter with this estimate and bound has left open. Its stages are out of the way of what is more
+// frequent.
+
+/// Of finite doubles that need not be integers. A column of zeros needs no more.
 template <class Shape, class... Points>
-[[gnu::noinline]] int sign_of_doubles(double bound, const Vec3& origin, const Points&... points) {
+[[gnu::noinline]] int undecided_doubles(const Estimate& e, double bound, const Vec3& origin,
+                                        const Points&... points) {
+  if (e.x == 0 || e.y == 0 || e.z == 0) return 0;
   int sign = 0;
-  if (scaled_sign<Shape>(bound, sign, origin, points...)) return sign;
+  if (in_range(e.x, e.y, e.z) && scaled_sign<Shape>(bound, sign, origin, points...)) return sign;
   return aligned_sign<Shape>(origin, points...);
 }
 
-/// What the filter with this estimate and bound has left open. A column of zeros needs no more; a NaN beside
-/// it has the same answer.
+/// Of any doubles.
 template <class Shape, class... Points>
 [[gnu::noinline]] int undecided(const Estimate& e, double bound, const Vec3& origin,
                                 const Points&... points) {
-  if (!in_range(e.x, e.y, e.z))
-    return e.x == 0 || e.y == 0 || e.z == 0 ? 0 : aligned_sign<Shape>(origin, points...);
+  if (e.x == 0 || e.y == 0 || e.z == 0) return 0;  // also the answer to a NaN beside it
   const double distance = (distance_to_integers(origin) + ... + distance_to_integers(points));
   if (!(distance >= 0)) return 0;  // NaN or infinity
   if (distance == 0 && std::max(std::max(e.x, e.y), e.z) <= kLargestDifference)
-    return difference_sign<Shape>(bound, 1, (points - origin)...);
-  return sign_of_doubles<Shape>(bound, origin, points...);
+    return integer_sign<Shape>(bound, (points - origin)...);
+  return undecided_doubles<Shape>(e, bound, origin, points...);
 }
 
 Vec3 flat(Vec2 p) { return {p.x, p.y, 0}; }
@@ -93,24 +96,30 @@ int insphere(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const V
   return undecided<InSphere>(s, bound, e, a, b, c, d);
 }
 
+// With a scale, differences are between 2^-100 and 2^151, or 0: the bounds hold without a test of the range.
+
 int orient3d_after_static(const StaticBounds& bounds, const Vec3& a, const Vec3& b, const Vec3& c,
                           const Vec3& d) {
-  if (bounds.scale == 0) return orient3d(a, b, c, d);
+  if (bounds.orient3d == StaticBounds::kNone && bounds.scale == 0) return orient3d(a, b, c, d);
   const Vec3 p = b - a, q = c - a, r = d - a;
   const Estimate e = filters::orient3d(p, q, r);
-  const double bound = kOrient3dError * e.size();
-  if (const int sign = decide(e.det, bound)) return sign;
-  return difference_sign<Orient3d>(bound, bounds.scale, p, q, r);
+  const double bound = kRoundedOrient3dError * e.size();
+  if (in_range(e.x, e.y, e.z))
+    if (const int sign = decide(e.det, bound)) return sign;
+  if (bounds.scale != 0) return difference_sign<Orient3d>(bound, bounds.scale, p, q, r);
+  return undecided_doubles<Orient3d>(e, bound, a, b, c, d);
 }
 
 int insphere_after_static(const StaticBounds& bounds, const Vec3& a, const Vec3& b, const Vec3& c,
                           const Vec3& d, const Vec3& e) {
-  if (bounds.scale == 0) return insphere(a, b, c, d, e);
+  if (bounds.insphere == StaticBounds::kNone && bounds.scale == 0) return insphere(a, b, c, d, e);
   const Vec3 p = a - e, q = b - e, r = c - e, s = d - e;
   const Estimate t = filters::insphere(p, q, r, s);
-  const double bound = kInsphereError * t.size();
-  if (const int sign = decide(t.det, bound)) return sign;
-  return difference_sign<InSphere>(bound, bounds.scale, p, q, r, s);
+  const double bound = kRoundedInsphereError * t.size();
+  if (in_range(t.x, t.y, t.z))
+    if (const int sign = decide(t.det, bound)) return sign;
+  if (bounds.scale != 0) return difference_sign<InSphere>(bound, bounds.scale, p, q, r, s);
+  return undecided_doubles<InSphere>(t, bound, e, a, b, c, d);
 }
 
 }  // namespace crossloft

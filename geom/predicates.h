@@ -5,11 +5,13 @@
 /// REQUIRES: all coordinates finite. A NaN or an infinity has no place on the line of numbers; the answer is
 /// then 0, whatever the other coordinates are.
 ///
-/// How: a semi-static filter in doubles; if it cannot tell, the coordinates become integers, multiples of the
-/// smallest power of two among them, and the determinant is evaluated in a fixed width integer on the stack,
-/// the narrowest of four that holds their span (61, 124, 252 or 2098 bits; the last holds every double).
-/// No allocation, no state, any thread. The filter takes a few nanoseconds; an exact insphere about 0.1
-/// microseconds on coordinates of like size, some tens of microseconds in the widest case.
+/// How: a semi-static filter in doubles; if it cannot tell, coordinates that are integers of at most 61 bits
+/// over a common power of two become just that, and the determinant is evaluated in as few limbs as the
+/// filter's bound leaves (small_integers.h); all others become multiples of the smallest power of two among
+/// them, in a fixed width integer that holds their span (61, 124, 252 or 2098 bits; the last holds every
+/// double). No allocation, no state, any thread. The filter takes a few nanoseconds, the second stage some
+/// tens, the widest case some microseconds. Callers with many questions about one set of points use
+/// static_bounds.h.
 ///
 /// Laws, exact for all finite arguments (tests/geom/predicates_test.cpp):
 ///  (1) orient2d(b,a,c) == -orient2d(a,b,c); likewise every exchange of two points in every predicate;

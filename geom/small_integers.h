@@ -58,12 +58,12 @@ constexpr double power(double base, unsigned exponent) {
 }
 
 /// The sign of Shape::determinant(rows), of which |value| <= limit is known, in the fewest limbs that hold
-/// `limit`. REQUIRES: |entries| <= 2^Bits. The limit's own rounding is far below the factor 2 of room.
+/// `limit`. REQUIRES: |entries| <= 2^Bits. The limit's own rounding is far below the room left to 2^63.
 template <class Shape, unsigned Bits, std::size_t Limbs = 1, class... Rows>
 int residue_sign(double limit, const Rows&... rows) {
   using Full = decltype(Shape::determinant(exact_row<Bits, kNoCap>(rows)...));
   if constexpr (Limbs < Full::kLimbs)
-    if (!(limit <= 0x1p62 * power(0x1p64, Limbs - 1)))
+    if (!(limit <= 0x1.fp62 * power(0x1p64, Limbs - 1)))
       return residue_sign<Shape, Bits, Limbs + 1>(limit, rows...);
   return Shape::determinant(exact_row<Bits, Limbs>(rows)...).sign();
 }
@@ -80,6 +80,15 @@ int difference_sign(double bound, double scale, const Rows&... rows) {
             static_cast<std::int64_t>(d.z * scale)};
   };
   return residue_sign<Shape, kDifferenceBits>(2 * bound * power(scale, Shape::kDegree), integers(rows)...);
+}
+
+/// The same of integers as they are; inlined, which saves the scaling.
+template <class Shape, class... Rows>
+[[gnu::always_inline]] inline int integer_sign(double bound, const Rows&... rows) {
+  const auto integers = [](const Vec3& d) -> IntegerRow {
+    return {static_cast<std::int64_t>(d.x), static_cast<std::int64_t>(d.y), static_cast<std::int64_t>(d.z)};
+  };
+  return residue_sign<Shape, kDifferenceBits>(2 * bound, integers(rows)...);
 }
 
 /// Adds up the distances of coordinates to integers: 0 for integers, NaN for NaN and infinity. Beyond 2^52

@@ -47,14 +47,16 @@ int insphere_after_static(const StaticBounds& bounds, const Vec3& a, const Vec3&
 
 inline int orient3d(const StaticBounds& bounds, const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   const double det = det3(b - a, c - a, d - a);
-  if (const int sign = filters::decide(det, bounds.orient3d)) return sign;
+  if (std::fabs(det) > bounds.orient3d) [[likely]]
+    return filters::sign_of(det);
   return bounds.orient3d == 0 ? 0 : orient3d_after_static(bounds, a, b, c, d);
 }
 
 inline int insphere(const StaticBounds& bounds, const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d,
                     const Vec3& e) {
   const double det = filters::insphere(a - e, b - e, c - e, d - e).det;
-  if (const int sign = filters::decide(det, bounds.insphere)) return sign;
+  if (std::fabs(det) > bounds.insphere) [[likely]]
+    return filters::sign_of(det);
   return bounds.insphere == 0 ? 0 : insphere_after_static(bounds, a, b, c, d, e);
 }
 
@@ -62,7 +64,8 @@ inline int orient3d(const StaticBounds& bounds, const LatticePoint& a, const Lat
                     const LatticePoint& c, const LatticePoint& d) {
   using filters::difference;
   const double det = det3(difference(b, a), difference(c, a), difference(d, a));
-  if (const int sign = filters::decide(det, bounds.orient3d)) return sign;
+  if (std::fabs(det) > bounds.orient3d) [[likely]]
+    return filters::sign_of(det);
   return bounds.orient3d == 0 ? 0 : orient3d(a, b, c, d);
 }
 
@@ -71,7 +74,8 @@ inline int insphere(const StaticBounds& bounds, const LatticePoint& a, const Lat
   using filters::difference;
   const double det =
       filters::insphere(difference(a, e), difference(b, e), difference(c, e), difference(d, e)).det;
-  if (const int sign = filters::decide(det, bounds.insphere)) return sign;
+  if (std::fabs(det) > bounds.insphere) [[likely]]
+    return filters::sign_of(det);
   return bounds.insphere == 0 ? 0 : insphere(a, b, c, d, e);
 }
 
@@ -80,7 +84,8 @@ inline int power_test(const StaticBounds& bounds, const WeightedPoint& a, const 
   using filters::lifted;
   const filters::Lifted p = lifted(a, e), q = lifted(b, e), r = lifted(c, e), s = lifted(d, e);
   const double det = filters::insphere(p.d, q.d, r.d, s.d, p.lift, q.lift, r.lift, s.lift, 0).det;
-  if (const int sign = filters::decide(det, bounds.insphere)) return sign;
+  if (std::fabs(det) > bounds.insphere) [[likely]]
+    return filters::sign_of(det);
   return power_test(a, b, c, d, e);
 }
 

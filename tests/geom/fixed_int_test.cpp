@@ -52,7 +52,55 @@ void check_ring(std::mt19937_64& engine) {
   }
 }
 
+/// The residue modulo 2^(64 limbs) next to 0, which is what a capped number's limbs mean.
+mpz_class residue(const mpz_class& v, std::size_t limbs) {
+  const mpz_class modulus = mpz_class(1) << (64 * limbs), half = modulus / 2;
+  mpz_class r;
+  mpz_fdiv_r(r.get_mpz_t(), mpz_class(v + half).get_mpz_t(), modulus.get_mpz_t());
+  return r - half;
+}
+
+template <unsigned Bits, std::size_t Cap>
+mpz_class integer_of(const FixedInt<Bits, Cap>& v) {
+  mpz_class r = 0;
+  for (std::size_t i = v.kLimbs; i-- > 0;) r = (r << 64) + mpz_class(std::to_string(v.limb[i]));
+  return residue(r, v.kLimbs);
+}
+
+/// a b c + a b - c with at most Cap limbs.
+template <unsigned A, unsigned B, unsigned C, std::size_t Cap>
+void check_residues(std::mt19937_64& engine) {
+  const auto capped = [](const auto& v) {
+    FixedInt<std::decay_t<decltype(v)>::kBits, Cap> r;
+    for (std::size_t i = 0; i < r.kLimbs; ++i) r.limb[i] = v.limb[i];
+    return r;
+  };
+  for (int round = 0; round < 300; ++round) {
+    const auto a = value<A>(engine);
+    const auto b = value<B>(engine);
+    const auto c = value<C>(engine);
+    const mpz_class x = integer(a), y = integer(b), z = integer(c);
+    const auto product = capped(a) * capped(b);
+    static_assert(decltype(product)::kLimbs <= Cap);
+    CHECK(integer_of(product * capped(c)) == residue(x * y * z, Cap));
+    CHECK(integer_of(product * capped(c) + product) == residue(x * y * z + x * y, Cap));
+    CHECK(integer_of(-(product * capped(c)) - capped(c)) == residue(-x * y * z - z, Cap));
+  }
+}
+
 }  // namespace
+
+TEST_CASE("with a cap, residues agree with GMP") {
+  std::mt19937_64 engine(kSeed + 2);
+  check_residues<52, 52, 52, 1>(engine);
+  check_residues<62, 40, 50, 2>(engine);
+  check_residues<126, 62, 62, 2>(engine);
+  check_residues<62, 126, 62, 3>(engine);
+  check_residues<126, 126, 62, 3>(engine);
+  check_residues<187, 62, 126, 4>(engine);
+  check_residues<126, 187, 62, 5>(engine);
+  check_residues<300, 300, 300, 6>(engine);
+}
 
 TEST_CASE("sums and products agree with GMP at every number of limbs") {
   MESSAGE("seed " << kSeed);
