@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <bit>
+#include <iterator>
 #include <numeric>
+#include <utility>
 
 namespace crossloft {
 namespace {
@@ -15,10 +17,28 @@ struct Ranked {
   friend bool operator<(const Ranked& a, const Ranked& b) { return a.key < b.key; }
 };
 
+/// Ascending by key. One bucket for each of the `values` of key[0], then the rest within each: linear, since
+/// only a few edges and faces have the same lowest vertex and two cells at most the same lowest face.
 template <std::size_t N>
-std::vector<std::uint32_t> ranks(const std::vector<Ranked<N>>& sorted) {
-  std::vector<std::uint32_t> rank(sorted.size());
-  for (std::uint32_t i = 0; i < sorted.size(); ++i) rank[sorted[i].old] = i;
+std::vector<Ranked<N>> sorted(const std::vector<Ranked<N>>& items, std::size_t values) {
+  std::vector<std::uint32_t> end(values + 1, 0);
+  for (const Ranked<N>& item : items) ++end[item.key[0] + 1];
+  std::partial_sum(end.begin(), end.end(), end.begin());
+  std::vector<Ranked<N>> out(items.size());
+  for (const Ranked<N>& item : items) out[end[item.key[0]]++] = item;
+  auto begin = out.begin();
+  for (std::size_t v = 0; v < values; ++v) {
+    const auto next = out.begin() + end[v];
+    std::sort(begin, next);
+    begin = next;
+  }
+  return out;
+}
+
+template <std::size_t N>
+std::vector<std::uint32_t> ranks(const std::vector<Ranked<N>>& order) {
+  std::vector<std::uint32_t> rank(order.size());
+  for (std::uint32_t i = 0; i < order.size(); ++i) rank[order[i].old] = i;
   return rank;
 }
 
@@ -52,12 +72,20 @@ void close_list(Incidence<Key, Item>& lists) {
   lists.begin.push_back(static_cast<std::uint32_t>(lists.items.size()));
 }
 
-/// Appends the distinct ones of `items` as the next list.
-template <class Key, class Item>
-void append_distinct(Incidence<Key, Item>& lists, std::vector<Item>& items) {
-  std::sort(items.begin(), items.end());
-  lists.items.insert(lists.items.end(), items.begin(), std::unique(items.begin(), items.end()));
-  close_list(lists);
+/// The distinct items of all faces of each cell, in the order in which they come up.
+template <class Item>
+Incidence<CellId, Item> gathered(const Incidence<CellId, FaceId>& faces, const Incidence<FaceId, Item>& lists,
+                                 std::size_t item_count) {
+  Incidence<CellId, Item> out;
+  out.begin.push_back(0);
+  std::vector<std::uint32_t> last(item_count, kNone);  // cell that has the item
+  for (std::uint32_t c = 0; c + 1 < faces.begin.size(); ++c) {
+    for (const FaceId f : faces.of(CellId(c)))
+      for (const Item item : lists.of(f))
+        if (std::exchange(last[item.value], c) != c) out.items.push_back(item);
+    close_list(out);
+  }
+  return out;
 }
 
 }  // namespace
@@ -72,7 +100,6 @@ Arrangement ArrangementAssembly::run(std::span<const LatticePlane> given_and_box
   number_faces();
   lay_out_faces();
   number_cells();
-  lay_out_cells();
   invert_lists();
   fill_rows();
   choose_edge_planes();
@@ -84,8 +111,10 @@ void ArrangementAssembly::number_vertices() {
   const auto& points = grown_.points();
   std::vector<std::uint32_t> order(points.size());
   std::iota(order.begin(), order.end(), 0u);
-  std::sort(order.begin(), order.end(),
-            [&](std::uint32_t a, std::uint32_t b) { return compare_lex(points[a], points[b]) < 0; });
+  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    if (points[a].x != points[b].x) return points[a].x < points[b].x;  // as compare_lex, inline
+    return compare_lex(points[a], points[b]) < 0;
+  });
   vertex_ids_.resize(points.size());
   for (std::uint32_t i = 0; i < order.size(); ++i) {
     vertex_ids_[order[i]] = i;
@@ -101,109 +130,92 @@ void ArrangementAssembly::number_edges() {
     const std::uint32_t a = vertex_ids_[edge.ends[0]], b = vertex_ids_[edge.ends[1]];
     order.push_back({{std::min(a, b), std::max(a, b)}, static_cast<std::uint32_t>(order.size())});
   }
-  std::sort(order.begin(), order.end());
+  order = sorted(order, vertex_ids_.size());
   edge_ids_ = ranks(order);
   for (const auto& [key, old] : order) out_.ends_.push_back({ArrVertexId(key[0]), ArrVertexId(key[1])});
 }
 
 void ArrangementAssembly::number_faces() {
+  const auto& uses = grown_.uses();
   std::vector<Ranked<3>> order;
   order.reserve(grown_.faces().size());
   for (const auto& face : grown_.faces()) {
     Lowest<3> lowest;
-    std::uint32_t use = face.first_use;
+    std::uint32_t use = face.first_use, start = use;
     do {
-      lowest.push(vertex_ids_[grown_.uses()[use].vertex]);
-      use = grown_.uses()[use].next;
+      const std::uint32_t v = vertex_ids_[uses[use].vertex];
+      if (v < lowest.value[0]) start = use;
+      lowest.push(v);
+      use = uses[use].next;
     } while (use != face.first_use);
-    order.push_back({lowest.value, static_cast<std::uint32_t>(order.size())});
+    order.push_back({lowest.value, start});
   }
-  std::sort(order.begin(), order.end());
-  face_ids_ = ranks(order);
-  for (const auto& ranked : order) old_faces_.push_back(ranked.old);
+  for (const auto& ranked : sorted(order, vertex_ids_.size())) loop_starts_.push_back(ranked.old);
 }
 
 void ArrangementAssembly::lay_out_faces() {
   const auto& uses = grown_.uses();
   auto& vertices = out_.face_vertices_;
+  auto& edges = out_.face_edges_;
   vertices.begin.push_back(0);
-  out_.face_edges_.begin.push_back(0);
-  for (const std::uint32_t old : old_faces_) {
-    const auto& face = grown_.faces()[old];
-    std::uint32_t first = face.first_use;
-    for (std::uint32_t use = uses[first].next; use != face.first_use; use = uses[use].next)
-      if (vertex_ids_[uses[use].vertex] < vertex_ids_[uses[first].vertex]) first = use;
-    std::uint32_t use = first;
+  vertices.items.reserve(uses.size());
+  edges.items.reserve(uses.size());
+  for (const std::uint32_t start : loop_starts_) {
+    std::uint32_t use = start;
     do {
       vertices.items.emplace_back(vertex_ids_[uses[use].vertex]);
-      out_.face_edges_.items.emplace_back(edge_ids_[uses[use].edge]);
+      edges.items.emplace_back(edge_ids_[uses[use].edge]);
       use = uses[use].next;
-    } while (use != first);
+    } while (use != start);
     close_list(vertices);
-    close_list(out_.face_edges_);
-    out_.face_planes_.emplace_back(face.plane);
+    out_.face_planes_.emplace_back(old_face(start).plane);
   }
+  edges.begin = vertices.begin;
 }
 
+/// The faces come in ascending order, so the first two that name a cell are its lowest.
 void ArrangementAssembly::number_cells() {
+  std::vector<Lowest<2>> lowest(grown_.cells().size());
+  for (std::uint32_t f = 0; f < loop_starts_.size(); ++f)
+    for (const std::uint32_t c : old_face(loop_starts_[f]).cells)
+      if (c != kNone) lowest[c].push(f);
   std::vector<Ranked<2>> order;
-  order.reserve(grown_.cells().size());
-  for (const std::uint32_t first_side : grown_.cells()) {
-    Lowest<2> lowest;
-    for (std::uint32_t s = first_side; s != kNone; s = grown_.faces()[s / 2].next_of_cell[s % 2])
-      lowest.push(face_ids_[s / 2]);
-    order.push_back({lowest.value, static_cast<std::uint32_t>(order.size())});
-  }
-  std::sort(order.begin(), order.end());
-  const std::vector<std::uint32_t> ids = ranks(order);
-  for (const std::uint32_t old : old_faces_) {
-    const auto [negative, positive] = grown_.faces()[old].cells;
+  order.reserve(lowest.size());
+  for (const auto& pair : lowest) order.push_back({pair.value, static_cast<std::uint32_t>(order.size())});
+  const std::vector<std::uint32_t> ids = ranks(sorted(order, loop_starts_.size()));
+  for (const std::uint32_t start : loop_starts_) {
+    const auto [negative, positive] = old_face(start).cells;
     out_.face_cells_.push_back({negative == kNone ? CellId{} : CellId(ids[negative]),
                                 positive == kNone ? CellId{} : CellId(ids[positive])});
   }
-  out_.cell_faces_.begin.push_back(0);
-  std::vector<FaceId> list;
-  for (const auto& ranked : order) {
-    list.clear();
-    for (std::uint32_t s = grown_.cells()[ranked.old]; s != kNone;
-         s = grown_.faces()[s / 2].next_of_cell[s % 2])
-      list.emplace_back(face_ids_[s / 2]);
-    append_distinct(out_.cell_faces_, list);
-  }
 }
 
-void ArrangementAssembly::lay_out_cells() {
-  out_.cell_edges_.begin.push_back(0);
-  out_.cell_vertices_.begin.push_back(0);
-  std::vector<ArrEdgeId> edges;
-  std::vector<ArrVertexId> vertices;
-  for (std::uint32_t c = 0; c < out_.cell_count(); ++c) {
-    edges.clear();
-    vertices.clear();
-    for (const FaceId f : out_.faces_of(CellId(c))) {
-      const auto face_edges = out_.edges_of(f);
-      const auto face_vertices = out_.vertices_of(f);
-      edges.insert(edges.end(), face_edges.begin(), face_edges.end());
-      vertices.insert(vertices.end(), face_vertices.begin(), face_vertices.end());
-    }
-    append_distinct(out_.cell_edges_, edges);
-    append_distinct(out_.cell_vertices_, vertices);
-  }
-}
-
+/// Inverting sorts: the lists of cells from the lists around vertices and edges, which need not be in order.
 void ArrangementAssembly::invert_lists() {
   const std::size_t vertices = out_.vertex_count(), edges = out_.edge_count();
+  const std::size_t cells = grown_.cells().size();
+  Incidence<FaceId, CellId> face_cells;
+  face_cells.begin.push_back(0);
+  for (const auto& sides : out_.face_cells_) {
+    std::copy_if(sides.begin(), sides.end(), std::back_inserter(face_cells.items),
+                 [](CellId c) { return c.valid(); });
+    close_list(face_cells);
+  }
+  out_.cell_faces_ = inverted(face_cells, cells);
+  out_.vertex_cells_ = inverted(gathered(out_.cell_faces_, out_.face_vertices_, vertices), vertices);
+  out_.cell_vertices_ = inverted(out_.vertex_cells_, cells);
+  out_.edge_cells_ = inverted(gathered(out_.cell_faces_, out_.face_edges_, edges), edges);
+  out_.cell_edges_ = inverted(out_.edge_cells_, cells);
+
   Incidence<ArrEdgeId, ArrVertexId> edge_vertices;
   edge_vertices.begin.push_back(0);
-  for (const auto& [a, b] : out_.ends_) {
-    edge_vertices.items.insert(edge_vertices.items.end(), {a, b});
+  for (const auto& ends : out_.ends_) {
+    edge_vertices.items.insert(edge_vertices.items.end(), ends.begin(), ends.end());
     close_list(edge_vertices);
   }
   out_.vertex_edges_ = inverted(edge_vertices, vertices);
   out_.vertex_faces_ = inverted(out_.face_vertices_, vertices);
-  out_.vertex_cells_ = inverted(out_.cell_vertices_, vertices);
   out_.edge_faces_ = inverted(out_.face_edges_, edges);
-  out_.edge_cells_ = inverted(out_.cell_edges_, edges);
 }
 
 /// An open convex element has, against each plane, the sign that its vertices have or share.

@@ -14,7 +14,7 @@ class ArrangementAssembly {
  public:
   explicit ArrangementAssembly(const GrowingComplex& grown) : grown_(grown) {}
 
-  /// O(n log n) in the number of elements.
+  /// O(v log v) for the vertices, linear in the lists for all else while only a few elements share a vertex.
   Arrangement run(std::span<const LatticePlane> given_and_box, const LatticeBox& box);
 
  private:
@@ -24,15 +24,18 @@ class ArrangementAssembly {
   void number_faces();
   void lay_out_faces();
   void number_cells();
-  void lay_out_cells();
   void invert_lists();
   void fill_rows();
   void hash_rows();
 
+  const GrowingComplex::Face& old_face(std::uint32_t use) const {
+    return grown_.faces()[grown_.uses()[use].face];
+  }
+
   const GrowingComplex& grown_;
   Arrangement out_;
-  std::vector<std::uint32_t> vertex_ids_, edge_ids_, face_ids_;  ///< grown to final
-  std::vector<std::uint32_t> old_faces_;                         ///< final to grown
+  std::vector<std::uint32_t> vertex_ids_, edge_ids_;  ///< grown to final
+  std::vector<std::uint32_t> loop_starts_;            ///< of each final face: the use of its lowest vertex
 };
 
 /// Where the search for a sign vector starts in a table of a power of two `slots`.

@@ -1,6 +1,6 @@
 #include "lattice.h"
 
-#include <map>
+#include <vector>
 
 #include "determinants.h"
 #include "fixed_division.h"
@@ -42,22 +42,47 @@ LatticeVector to_vector(const LatticePoint& p) {
 
 namespace {
 
-using Key = std::array<limbs::Limb, 11>;
-static_assert(3 * FixedInt<kNumeratorBits>::kLimbs + FixedInt<kWeightBits>::kLimbs == 11);
+bool same(const Homogeneous& a, const Homogeneous& b) {
+  return a.w == b.w && a.x == b.x && a.y == b.y && a.z == b.z;
+}
 
-Key key_of(const Homogeneous& h) {
-  Key key;
-  auto out = key.begin();
-  for (const auto* v : {&h.x, &h.y, &h.z}) out = std::copy(v->limb.begin(), v->limb.end(), out);
-  std::copy(h.w.limb.begin(), h.w.limb.end(), out);
-  return key;
+std::uint64_t hash_of(const Homogeneous& h) {
+  // Multiply and fold per limb; the order of the table shows nowhere.
+  std::uint64_t hash = 0x9E3779B97F4A7C15u;
+  const auto fold = [&](const auto& v) {
+    for (const limbs::Limb l : v.limb) {
+      hash = (hash ^ l) * 0xFF51AFD7ED558CCDu;
+      hash ^= hash >> 32;
+    }
+  };
+  fold(h.x), fold(h.y), fold(h.z), fold(h.w);
+  return hash;
 }
 
 }  // namespace
 
 struct LatticePointStore::Impl {
-  std::map<Key, const Homogeneous*> known;
   std::deque<Homogeneous> points;
+  std::vector<const Homogeneous*> slots;  ///< open addressing over the points, at most half full
+
+  /// The stored point equal to `h`, stored now if it is the first.
+  const Homogeneous* keep(const Homogeneous& h) {
+    if (slots.size() <= 2 * points.size()) grow();
+    const Homogeneous*& slot = slot_of(h);
+    if (slot == nullptr) slot = &points.emplace_back(h);
+    return slot;
+  }
+
+ private:
+  const Homogeneous*& slot_of(const Homogeneous& h) {
+    std::size_t i = static_cast<std::size_t>(hash_of(h)) & (slots.size() - 1);
+    while (slots[i] != nullptr && !same(*slots[i], h)) i = (i + 1) & (slots.size() - 1);
+    return slots[i];
+  }
+  void grow() {
+    slots.assign(std::max<std::size_t>(64, 2 * slots.size()), nullptr);
+    for (const Homogeneous& h : points) slot_of(h) = &h;
+  }
 };
 
 LatticePointStore::LatticePointStore() : impl_(std::make_unique<Impl>()) {}
@@ -139,12 +164,7 @@ bool LatticePointStore::meet(const LatticePlane& a, const LatticePlane& b, const
   }
   using Numerator = FixedInt<kNumeratorBits>;
   const Homogeneous h{Numerator(x[0]), Numerator(x[1]), Numerator(x[2]), FixedInt<kWeightBits>(w)};
-  auto [it, fresh] = impl_->known.try_emplace(key_of(h), nullptr);
-  if (fresh) {
-    impl_->points.push_back(h);
-    it->second = &impl_->points.back();
-  }
-  point = {round_quotient(x[0], w), round_quotient(x[1], w), round_quotient(x[2], w), it->second};
+  point = {round_quotient(x[0], w), round_quotient(x[1], w), round_quotient(x[2], w), impl_->keep(h)};
   return true;
 }
 

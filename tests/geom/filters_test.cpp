@@ -2,32 +2,16 @@
 // that the constant in the source covers it and wastes nothing.
 
 #include <doctest/doctest.h>
-#include <gmpxx.h>
 
 #include "../../geom/double_filters.h"
 #include "../../geom/lattice_filters.h"
 #include "../../geom/weighted_filters.h"
+#include "tracked_error.h"
 
 using namespace crossloft;
+using namespace crossloft::tracked;
 
 namespace {
-
-const mpq_class kUnit(filters::kU);
-
-/// What is known of a computed value: its size and its distance from the true one, as multiples of the
-/// product of the maxima that the bound is expressed in.
-struct Tracked {
-  mpq_class size, error;
-};
-
-Tracked rounded(const mpq_class& size, const mpq_class& error) {
-  return {size * (1 + kUnit), error + size * kUnit};
-}
-Tracked operator+(const Tracked& a, const Tracked& b) { return rounded(a.size + b.size, a.error + b.error); }
-Tracked operator-(const Tracked& a, const Tracked& b) { return a + b; }
-Tracked operator*(const Tracked& a, const Tracked& b) {
-  return rounded(a.size * b.size, a.size * b.error + b.size * a.error + a.error * b.error);
-}
 
 /// A difference at its column's maximum: exact on the lattice, rounded for plain doubles.
 const Tracked kExact{1, 0};
@@ -50,11 +34,6 @@ Tracked weighted_lift() {
   return rounded(square.size, square.error);
 }
 
-Tracked det2_of(const Tracked& d) { return d * d - d * d; }
-Tracked det3_of(const Tracked& d) {
-  const Tracked term = det2_of(d) * d;
-  return (term - term) + term;
-}
 Tracked incircle_of(const Tracked& d, const Tracked& l) {
   const Tracked term = det2_of(d) * l;
   return (term - term) + term;
@@ -62,15 +41,6 @@ Tracked incircle_of(const Tracked& d, const Tracked& l) {
 Tracked insphere_of(const Tracked& d, const Tracked& l) {
   const Tracked term = l * det3_of(d), pair = term - term;
   return pair + pair;
-}
-
-/// The bound itself: constant * (at most four factors) is rounded five times downwards at worst, and one more
-/// addition of the blur.
-void check_constant(double constant, const Tracked& determinant) {
-  mpq_class least = mpq_class(constant);
-  for (int i = 0; i < 6; ++i) least *= 1 - kUnit;
-  CHECK(least >= determinant.error);
-  CHECK(least <= determinant.error * mpq_class(101, 100));
 }
 
 }  // namespace

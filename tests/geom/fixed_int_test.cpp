@@ -139,6 +139,40 @@ TEST_CASE("division, greatest common divisor and rounding") {
   }
 }
 
+namespace {
+
+/// Divisors of every length, quotients of every length and, with n = m d + r, the last unit of each.
+template <unsigned Bits>
+void check_division(std::mt19937_64& engine) {
+  using Int = FixedInt<Bits>;
+  const auto length = [&] { return static_cast<int>(engine() % (Bits / 2 + 1)); };
+  for (int round = 0; round < 2000; ++round) {
+    const Int d(shift_right(magnitude(value<Bits>(engine)), length()) + Int(1));
+    const Int m = shift_right(magnitude(value<Bits>(engine)), bit_length(d));
+    const auto check = [&](const Int& n) {
+      const auto [quotient, remainder] = divide(n, d);
+      CHECK(integer(quotient) == integer(n) / integer(d));
+      CHECK(integer(remainder) == integer(n) % integer(d));
+      CHECK(integer(gcd(n, d)) == gcd(integer(n), integer(d)));
+    };
+    const Int multiple(m * d);
+    check(multiple);
+    check(Int(multiple + Int(1)));
+    if (!multiple.is_zero()) check(Int(multiple - Int(1)));
+  }
+}
+
+}  // namespace
+
+TEST_CASE("division at the borders of a quotient, in one to four limbs") {
+  MESSAGE("seed " << kSeed + 2);
+  std::mt19937_64 engine(kSeed + 2);
+  check_division<60>(engine);
+  check_division<122>(engine);
+  check_division<176>(engine);
+  check_division<240>(engine);
+}
+
 TEST_CASE("halves round to even") {
   const FixedInt<100> odd(std::int64_t{(1LL << 53) + 1});
   CHECK(to_double(odd) == 0x1p53);

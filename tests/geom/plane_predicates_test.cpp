@@ -4,6 +4,7 @@
 
 #include "lattice_samples.h"
 #include "rational_reference.h"
+#include "tracked_error.h"
 
 using namespace crossloft;
 using reference::exact;
@@ -41,6 +42,8 @@ TEST_CASE("side_of_meet agrees with rationals, whatever the planes") {
                            q = generator.plane(normals, coordinates);
         const int side = side_of_meet(a, b, c, q);
         CHECK(side == expected_side(a, b, c, q));
+        CHECK(side_of_meet_exact(a, b, c, q) == side);
+        if (const int sure = side_of_meet_filter(a, b, c, q)) CHECK(sure == side);
         CHECK(side_of_meet(b, a, c, q) == side);
         CHECK(side_of_meet(c, b, a, q) == side);
         CHECK(side_of_meet(a, flipped(b), c, q) == side);
@@ -71,9 +74,37 @@ TEST_CASE("four planes through one point, and one of them a unit off") {
     for (std::size_t moved = 0; moved < 4; ++moved) {
       auto q = p;
       q[moved].origin[generator.index(3)] -= 1;
-      CHECK(side_of_meet(q[0], q[1], q[2], q[3]) == expected_side(q[0], q[1], q[2], q[3]));
+      const int side = expected_side(q[0], q[1], q[2], q[3]);
+      CHECK(side_of_meet(q[0], q[1], q[2], q[3]) == side);
+      if (const int sure = side_of_meet_filter(q[0], q[1], q[2], q[3])) CHECK(sure == side);
     }
   }
+}
+
+TEST_CASE("constant of side_of_meet: a determinant of exact normals and rounded offsets") {
+  using tracked::Tracked;
+  const Tracked normal{1, 0};
+  // Of the sum of its terms' sizes: each of the three products and sums rounds by u of no more than that. The
+  // size is a computed one, off by as much.
+  mpq_class growth = 1;
+  for (int i = 0; i < 3; ++i) growth *= 1 + tracked::kUnit;
+  const Tracked offset{growth, (growth - 1) * growth};
+  const Tracked term = offset * tracked::det3_of(normal);
+  tracked::check_constant(filters::kSideOfMeetError, (term + term) + term);
+}
+
+TEST_CASE("the filter of side_of_meet decides nearly all planes in general position and never a tie") {
+  MESSAGE("seed " << kSeed + 3);
+  Generator generator(kSeed + 3);
+  int decided = 0;
+  for (int round = 0; round < 1000; ++round) {
+    const auto plane = [&] { return generator.plane(kNormalLimit, kLatticeLimit); };
+    const LatticePlane a = plane(), b = plane(), c = plane(), q = plane();
+    if (side_of_meet_filter(a, b, c, q) != 0) ++decided;
+    CHECK(side_of_meet_filter(a, b, c, a) == 0);
+    CHECK(side_of_meet_filter(a, b, b, q) == 0);
+  }
+  CHECK(decided > 990);
 }
 
 TEST_CASE("side_of_meet agrees with the side of the constructed point") {
