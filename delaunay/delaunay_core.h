@@ -13,6 +13,7 @@
 
 #include "inserter.h"
 #include "insertion_order.h"
+#include "parallel_insertion.h"
 #include "perturbation.h"
 #include "simplex_store.h"
 
@@ -46,7 +47,9 @@ class DelaunayCore {
   const P& predicates() const { return predicates_; }
   const SimplexStore<D>& cells() const { return growing_.cells; }
   std::uint32_t vertex_count() const {
-    return growing_.cells.size() == 0 ? 0 : static_cast<std::uint32_t>(D + 1 + inserter_.gained());
+    return growing_.cells.size() == 0
+               ? 0
+               : static_cast<std::uint32_t>(D + 1 + inserter_.gained() + gained_in_parallel_);
   }
   /// The first affinely independent points, dimension() + 1 of them.
   const std::array<std::uint32_t, D + 1>& basis() const { return basis_; }
@@ -69,6 +72,7 @@ class DelaunayCore {
 
  private:
   void make_room();
+  std::uint32_t insert_in_parallel(unsigned threads) requires(D == 3);
   bool extends_basis(std::uint32_t i) const;
   void wait_for_basis(std::uint32_t i);
   void make_first_cells();
@@ -79,6 +83,7 @@ class DelaunayCore {
   Inserter<D, P> inserter_;
   std::array<std::uint32_t, D + 1> basis_{};  ///< the first affinely independent points
   int basis_size_ = 0;
+  std::int64_t gained_in_parallel_ = 0;
   std::vector<std::uint32_t> pending_;  ///< points that wait for full dimension, but for the basis
 };
 

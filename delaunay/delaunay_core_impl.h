@@ -22,8 +22,34 @@ template <std::size_t D, class P>
 void DelaunayCore<D, P>::build_in_given_order([[maybe_unused]] unsigned threads) {
   make_room();
   inserter_.see_points();
-  for (std::uint32_t i = 0; i < predicates_.size(); ++i) insert(i);
+  std::uint32_t done = 0;
+  if constexpr (D == 3 && !HasHeights<P>) done = insert_in_parallel(threads);
+  for (std::uint32_t i = done; i < predicates_.size(); ++i) insert(i);
   if (!growing_.kept.empty()) keep_lowest();
+}
+
+/// Inserts points from the first on; returns how many. A thread is worth its while for many points only, and
+/// rounds as in insertion_order keep what is left over to be inserted soon.
+template <std::size_t D, class P>
+std::uint32_t DelaunayCore<D, P>::insert_in_parallel(unsigned threads) requires(D == 3) {
+  constexpr std::uint32_t kPerThread = 5000, kMostThreads = 256;
+  const std::uint32_t count = predicates_.size();
+  threads = std::min({threads, kMostThreads, count / (4 * kPerThread)});
+  std::uint32_t done = 0;
+  if (threads < 2) return done;
+  for (; done < threads * kPerThread; ++done) insert(done);
+  while (done < count && dimension() < 3) insert(done++);
+  if (done == count) return done;
+  ParallelInsertion<P> parallel(predicates_, growing_, threads);
+  while (done < count) {
+    const auto end = static_cast<std::uint32_t>(std::min(std::uint64_t{8} * done, std::uint64_t{count}));
+    const std::vector<std::uint32_t> left = parallel.insert(done, end);
+    inserter_.set_hint(parallel.some_finite_cell());  // the last one may be gone
+    for (const std::uint32_t i : left) inserter_.insert(i);
+    done = end;
+  }
+  gained_in_parallel_ = parallel.gained();
+  return done;
 }
 
 /// For twice as many triangles as points, or seven times as many tetrahedra: as of points spread evenly.
