@@ -20,7 +20,7 @@ BoostInteger to_boost(const FixedInt<Bits>& v) {
 
 struct BoostIntegerArithmetic {
   using Number = BoostInteger;
-  static constexpr std::string_view kName = "Boost cpp_int";
+  static constexpr std::string_view kName = "cpp_int";
   static constexpr Guarantee kGuarantee = Guarantee::exact;
   static constexpr bool kIntegers = true, kHomogeneous = true;
 

@@ -10,7 +10,7 @@ struct BoostRationalArithmetic {
   using Number = boost::multiprecision::number<
       boost::multiprecision::rational_adaptor<boost::multiprecision::cpp_int_backend<>>,
       boost::multiprecision::et_off>;
-  static constexpr std::string_view kName = "Boost cpp_rational";
+  static constexpr std::string_view kName = "cpp_rational";
   static constexpr Guarantee kGuarantee = Guarantee::exact;
   static constexpr bool kIntegers = false, kHomogeneous = false;
 

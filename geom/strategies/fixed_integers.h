@@ -26,7 +26,7 @@ struct FixedLoader {
 
 class FixedIntegers {
  public:
-  static constexpr std::string_view kName = "fixed integers";
+  static constexpr std::string_view kName = "fixed";
   static constexpr Guarantee kGuarantee = Guarantee::exact;
 
   FixedIntegers() = default;

@@ -20,7 +20,7 @@ mpz_class to_mpz(const FixedInt<Bits>& v) {
 
 struct GmpIntegerArithmetic {
   using Number = Gmp<mpz_class>;
-  static constexpr std::string_view kName = "GMP mpz";
+  static constexpr std::string_view kName = "mpz";
   static constexpr Guarantee kGuarantee = Guarantee::exact;
   static constexpr bool kIntegers = true, kHomogeneous = true;
 

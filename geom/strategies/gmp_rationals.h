@@ -9,7 +9,7 @@ namespace crossloft::strategies {
 
 struct GmpRationalArithmetic {
   using Number = Gmp<mpq_class>;
-  static constexpr std::string_view kName = "GMP mpq";
+  static constexpr std::string_view kName = "mpq";
   static constexpr Guarantee kGuarantee = Guarantee::exact;
   static constexpr bool kIntegers = false, kHomogeneous = false;
 

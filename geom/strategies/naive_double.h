@@ -8,7 +8,7 @@ namespace crossloft::strategies {
 
 struct DoubleArithmetic {
   using Number = double;
-  static constexpr std::string_view kName = "naive double";
+  static constexpr std::string_view kName = "naive";
   static constexpr Guarantee kGuarantee = Guarantee::none;
   static constexpr bool kIntegers = false, kHomogeneous = false;
 

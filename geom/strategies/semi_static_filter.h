@@ -12,7 +12,7 @@ namespace crossloft::strategies {
 
 class SemiStaticFilter {
  public:
-  static constexpr std::string_view kName = "semi-static filter";
+  static constexpr std::string_view kName = "semi-static";
   static constexpr Guarantee kGuarantee = Guarantee::filter;
 
   SemiStaticFilter() = default;

@@ -21,7 +21,7 @@ namespace crossloft::strategies {
 
 class StaticFilter {
  public:
-  static constexpr std::string_view kName = "static filter";
+  static constexpr std::string_view kName = "static";
   static constexpr Guarantee kGuarantee = Guarantee::filter;
 
   StaticFilter() : StaticFilter(Extent{}) {}

@@ -168,7 +168,7 @@ TEST_CASE("laws: an exchange of two points negates every known answer") {
 TEST_CASE("a cascade tells its stage, and a counted strategy its histogram") {
   using Both = Cascade<SemiStaticFilter, FixedIntegers>;
   static_assert(Strategy<Both> && Strategy<Counted<Both>> && Both::kGuarantee == Guarantee::exact);
-  static_assert(Both::kName == "semi-static filter > fixed integers");
+  static_assert(Both::kName == "semi-static > fixed");
   const Vec3 a{0, 0, 0}, b{1, 0, 0}, c{0, 1, 0}, up{0, 0, 1}, flat{1, 1, 0};
   const Both both;
   const auto at = [&](const Vec3& d) {
