@@ -3,10 +3,12 @@
 /// than it can have been rounded. A filter.
 ///
 /// With u = 2^-53, a computed v is off from the true value by at most u |v|, or by 2^-1075 where a product
-/// underflows. Let e = fl(3u |v| + t), t = 2^-1074; both roundings lose a factor 1 - u at most, or less than
-/// t where 3u |v| underflows, so e >= 3u |v| (1 - u)^2 and e >= t. fl(v - e) <= (v - e) + u |v - e|, hence it
-/// stays below v by 3u |v| (1 - u)^2 - u |v| (1 + 4u) > u |v|. Below |v| = 2^-1020 v - e is exact and e >= t
-/// alone is enough. Upwards alike.
+/// underflows. Let e = fl(3u |v|) for a sum, fl(3u |v| + t) for a product, t = 2^-1000, far above all that
+/// underflows and far enough from it: e >= 3u |v| (1 - u)^2, or 2^-1075 less where 3u |v| underflows. fl(v -
+/// e)
+/// <= (v - e) + u |v - e|, hence it stays below v by 3u |v| (1 - u)^2 - u |v| (1 + 4u) > u |v|. A sum with
+/// |v| < 2^-1021 is exact; from there to 2^-968, where 3u |v| underflows, it is at least 3 * 2^-1074 and
+/// keeps five sixths of itself. Upwards alike.
 ///
 /// Zero times anything is 0 exactly, so that a vanishing factor decides. Coordinates are at most 2^190 and
 /// weights 2^380, so that nothing overflows (formulas of degree 5; kLargest of number ranges).
@@ -30,7 +32,8 @@ struct Interval {
 
   friend Interval operator-(const Interval& a) { return {-a.high, -a.low}; }
   friend Interval operator+(const Interval& a, const Interval& b) {
-    return {down(a.low + b.low), up(a.high + b.high)};
+    const double low = a.low + b.low, high = a.high + b.high;
+    return {low - kThree * std::fabs(low), high + kThree * std::fabs(high)};
   }
   friend Interval operator-(const Interval& a, const Interval& b) { return a + -b; }
   friend Interval operator*(const Interval& a, const Interval& b) {
@@ -40,7 +43,7 @@ struct Interval {
   }
 
  private:
-  static constexpr double kThree = 3 * 0x1p-53, kTiny = 0x1p-1074;
+  static constexpr double kThree = 3 * 0x1p-53, kTiny = 0x1p-1000;
   static double down(double v) { return v - (kThree * std::fabs(v) + kTiny); }
   static double up(double v) { return v + (kThree * std::fabs(v) + kTiny); }
 };
