@@ -4,9 +4,12 @@
 //   bench_delaunay_strategies [POINTS] [REPETITIONS]        default 20000 points, 5 repetitions
 //
 // Exact strategies run on everything. The naive one runs on random points only: elsewhere its wrong signs can
-// make a triangulation loop or break. Filters alone do not run.
+// make a triangulation loop or break. Filters alone do not run, nor strategies that would take longer than
+// some ten seconds a triangulation, judged by the first thousand points.
 
 #include <algorithm>
+#include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <random>
@@ -73,12 +76,27 @@ std::string stages(std::span<const Vec3> points, const Extent& extent) {
   return text;
 }
 
+constexpr double kPatience = 10;  // seconds
+constexpr std::size_t kProbe = 1000;
+
+/// Seconds that all points are likely to take, from the first of them.
+template <class S>
+double foreseen(std::span<const Vec3> points, const Extent& extent) {
+  const auto few = points.first(std::min(points.size(), kProbe));
+  const StrategyPredicates3<S> predicates(few, S(extent));
+  const auto start = std::chrono::steady_clock::now();
+  triangulate(predicates);
+  const double taken = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return taken * static_cast<double>(points.size()) / static_cast<double>(few.size());
+}
+
 struct Row {
   std::string name, stages;
   std::size_t tets;
 };
 
 void compare(const std::string& name, const std::vector<Vec3>& points, int repetitions) {
+  std::printf("\n%s, %zu points\n", name.c_str(), points.size());
   ExtentBuilder builder;
   for (const Vec3& p : points) builder.include(p);
   for (const Vec3& corner : {Vec3{0, 0, 0}, Vec3{1, 1, 1}}) builder.include(corner);  // for collinear()
@@ -88,6 +106,10 @@ void compare(const std::string& name, const std::vector<Vec3>& points, int repet
   for_each_strategy([&]<class S>() {
     if (S::kGuarantee == Guarantee::filter) return;
     if (S::kGuarantee == Guarantee::none && name != "random") return;
+    if (const double seconds = foreseen<S>(points, extent); seconds > kPatience) {
+      std::printf("  %s: left out, some %.0f seconds\n", std::string(S::kName).c_str(), seconds);
+      return;
+    }
     const StrategyPredicates3<S> predicates(points, S(extent));
     rows.push_back({std::string(S::kName), stages<S>(points, extent), triangulate(predicates)});
     contestants.push_back({[predicates](std::size_t calls) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <iterator>
 
 #include "../io/svg.h"
 
@@ -38,6 +39,14 @@ std::vector<std::string> distinct(const std::vector<Measurement>& all, const Get
   return names;
 }
 
+/// The strategies for which a measurement passes the test.
+template <class Test>
+std::vector<std::string> named(const std::vector<Measurement>& all, const Test& test) {
+  std::vector<Measurement> passing;
+  std::copy_if(all.begin(), all.end(), std::back_inserter(passing), test);
+  return distinct(passing, [](const Measurement& m) { return m.strategy; });
+}
+
 std::vector<std::string> strategies_of(const std::vector<Measurement>& all) {
   return distinct(all, [](const Measurement& m) { return m.strategy; });
 }
@@ -60,6 +69,7 @@ std::vector<std::string> distributions_of(const std::vector<Measurement>& group)
 template <class Cell>
 void print_rows(const std::vector<Measurement>& group, const std::vector<std::string>& rows,
                 const Cell& cell) {
+  if (rows.empty()) return;
   std::printf("%-50s", "");
   for (std::size_t k = 0; k < distributions_of(group).size(); ++k)
     std::printf("%17s", ("(" + std::to_string(k + 1) + ")").c_str());
@@ -182,17 +192,10 @@ void print_tables(const std::vector<Measurement>& measurements) {
     for (std::size_t k = 0; k < sets.size(); ++k) std::printf("  (%zu) %s", k + 1, sets[k].c_str());
     std::printf("\n");
     print_rows(group, strategies_of(group), time_cell);
-    std::vector<std::string> staged, naive;
-    for (const Measurement& m : group) {
-      if (m.distribution != sets.front()) continue;
-      if (m.stages.size() > 1 || m.decided.back() > 0) staged.push_back(m.strategy);
-      if (m.multiple == 1) naive.push_back(m.strategy);
-    }
-    for (const Measurement& m : group)
-      if (m.stages.size() == 1 && m.decided.back() > 0 &&
-          std::find(staged.begin(), staged.end(), m.strategy) == staged.end())
-        staged.push_back(m.strategy);
-    std::printf("decided by stage, and unknown, in %%\n");
+    const auto staged =
+        named(group, [](const Measurement& m) { return m.stages.size() > 1 || m.decided.back() > 0; });
+    const auto naive = named(group, [](const Measurement& m) { return m.multiple == 1; });
+    if (!staged.empty()) std::printf("decided by stage, and unknown, in %%\n");
     print_rows(group, staged, [](const Measurement& m) { return percents(m.decided); });
     std::printf("wrong, in %%\n");
     print_rows(group, naive, [](const Measurement& m) { return percents({m.wrong}); });

@@ -64,21 +64,25 @@ double& at(WeightedPoint& p, std::size_t axis) {
 /// The case with its point `moved` at all places of the square.
 template <class Q, class Case>
 void sweep(Case c, std::size_t moved, std::size_t axis, std::size_t other, Tally& tally) {
-  const Watched watched = [&] {
-    const Extent e = bench::extent_of(std::vector{c});
-    // Moving by ulps may raise the largest differences by as much.
-    Extent wide = e;
-    wide.difference = 1.0001 * e.difference;
-    return Watched(StaticFilter(wide), SemiStaticFilter(), IntervalStrategy(), Ball(), DoubleDoubleStrategy(),
-                   Cascade<SemiStaticFilter, Expansions>(), Crossloft());
-  }();
   const double x = at(c[moved], axis), y = at(c[moved], other);
   const auto ulp = [](double v) { return std::nextafter(std::fabs(v), INFINITY) - std::fabs(v); };
   const double dx = ulp(x), dy = ulp(y);
+  const auto place = [&](int i, int j) {
+    at(c[moved], axis) = x + i * dx;
+    at(c[moved], other) = y + j * dy;
+  };
+  ExtentBuilder builder;
+  for (const int corner : {-kRadius, kRadius}) place(corner, corner), bench::include_case(builder, c);
+  const Watched watched{StaticFilter(builder.extent()),
+                        SemiStaticFilter(),
+                        IntervalStrategy(),
+                        Ball(),
+                        DoubleDoubleStrategy(),
+                        Cascade<SemiStaticFilter, Expansions>(),
+                        Crossloft()};
   for (int i = -kRadius; i <= kRadius; ++i)
     for (int j = -kRadius; j <= kRadius; ++j) {
-      at(c[moved], axis) = x + i * dx;
-      at(c[moved], other) = y + j * dy;
+      place(i, j);
       judge<Q>(c, watched, tally);
     }
 }

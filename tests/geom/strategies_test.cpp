@@ -4,9 +4,12 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <fstream>
 #include <limits>
+#include <sstream>
 
 #include "../../geom/strategies/list.h"
+#include "example_strategy.h"
 #include "question_reference.h"
 #include "random_doubles.h"
 
@@ -184,4 +187,17 @@ TEST_CASE("a cascade tells its stage, and a counted strategy its histogram") {
   const Counted<SemiStaticFilter> filter;
   CHECK(filter.orient3d(a, b, c, flat) == kUnknown);
   CHECK(filter.counts() == std::array<std::uint64_t, 2>{0, 1});
+}
+
+TEST_CASE("the example of docs/strategies.md is the file that is compiled here, and it works") {
+  const auto text_of = [](const std::string& path) {
+    std::ostringstream text;
+    text << std::ifstream(std::string(CROSSLOFT_SOURCE_DIR "/") + path).rdbuf();
+    return text.str();
+  };
+  const std::string example = text_of("tests/geom/example_strategy.h");
+  const std::string body = example.substr(example.find("namespace"));
+  CHECK(text_of("docs/strategies.md").find(body) != std::string::npos);
+  CHECK(LongDouble().orient3d(Vec3{0, 0, 0}, Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 0x1p-60}) == 1);
+  CHECK(LongDouble().orient3d(Vec3{0, 0, 0}, Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{1, 1, 0}) == 0);
 }
