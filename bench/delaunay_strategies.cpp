@@ -118,8 +118,7 @@ void compare(const std::string& name, const std::vector<Vec3>& points, int repet
   });
   const std::vector<double> times = take_turns(std::move(contestants), repetitions, 0, 1);
   const double own = times.back();  // the production predicates are the last of the list
-  std::printf("\n%s, %zu points: milliseconds, multiple of crossloft, tetrahedra, stages in %%\n",
-              name.c_str(), points.size());
+  std::printf("  milliseconds, multiple of crossloft, tetrahedra, stages in %%\n");
   for (std::size_t i = 0; i < rows.size(); ++i)
     std::printf("  %-50s %9.1f %7.2fx %9zu%s  %s\n", rows[i].name.c_str(), 1e-6 * times[i], times[i] / own,
                 rows[i].tets, rows[i].tets == rows.back().tets ? "" : " WRONG", rows[i].stages.c_str());

@@ -16,8 +16,12 @@
 
 namespace crossloft::strategies {
 
+/// The order of axes: of a projection, found at run time, or all as they are, known to the compiler.
 using Axes = std::array<int, 3>;
-inline constexpr Axes kSpace{0, 1, 2};
+struct SpaceAxes {
+  constexpr int operator[](std::size_t k) const { return static_cast<int>(k); }
+};
+inline constexpr SpaceAxes kSpace;
 
 template <class T>
 struct HomogeneousRow {
@@ -35,20 +39,20 @@ inline const FixedInt<kNumeratorBits>& numerator(const Homogeneous& h, int axis)
   return axis == 0 ? h.x : axis == 1 ? h.y : h.z;
 }
 
-template <class A>
-SpaceRow<typename A::Number> affine_row(const Axes& k, const LatticePoint& p, const LatticePoint& origin) {
+template <class A, class K>
+SpaceRow<typename A::Number> affine_row(const K& k, const LatticePoint& p, const LatticePoint& origin) {
   const auto d = [&](int axis) { return A::coordinate(p, axis) - A::coordinate(origin, axis); };
   return {d(k[0]), d(k[1]), d(k[2]), {}};
 }
 /// Of explicit points; the differences are integers below 2^51.
-template <class A>
-SpaceRow<typename A::Number> explicit_row(const Axes& k, const LatticePoint& p, const LatticePoint& origin) {
+template <class A, class K>
+SpaceRow<typename A::Number> explicit_row(const K& k, const LatticePoint& p, const LatticePoint& origin) {
   const auto d = [&](int axis) { return A::from_integer(p[axis] - origin[axis]); };
   return {d(k[0]), d(k[1]), d(k[2]), {}};
 }
 /// The origin is explicit.
-template <class A>
-HomogeneousRow<typename A::Number> homogeneous_row(const Axes& k, const LatticePoint& p,
+template <class A, class K>
+HomogeneousRow<typename A::Number> homogeneous_row(const K& k, const LatticePoint& p,
                                                    const LatticePoint& origin) {
   if (p.is_explicit()) {
     auto r = explicit_row<A>(k, p, origin);
@@ -61,8 +65,8 @@ HomogeneousRow<typename A::Number> homogeneous_row(const Axes& k, const LatticeP
   auto x = d(k[0]), y = d(k[1]), z = d(k[2]);
   return {std::move(x), std::move(y), std::move(z), {std::move(w)}};
 }
-template <class A>
-FreeRow<typename A::Number> free_row(const Axes& k, const LatticePoint& p) {
+template <class A, class K>
+FreeRow<typename A::Number> free_row(const K& k, const LatticePoint& p) {
   const auto n = [&](int axis) { return A::from_fixed(numerator(*p.exact, axis)); };
   return {n(k[0]), n(k[1]), n(k[2]), A::from_fixed(p.exact->w)};
 }
@@ -87,8 +91,8 @@ struct Arranged {
 };
 
 /// about(row) with the rows relative to the point at `place`, or free(row) if no point is explicit.
-template <class A, std::size_t N, class About, class Free>
-int lattice_sign(const std::array<const LatticePoint*, N>& points, std::size_t place, const Axes& k,
+template <class A, std::size_t N, class K, class About, class Free>
+int lattice_sign(const std::array<const LatticePoint*, N>& points, std::size_t place, const K& k,
                  const About& about, const Free& free) {
   if constexpr (!A::kHomogeneous) {
     return A::sign(about([&](std::size_t i) { return affine_row<A>(k, *points[i], *points[place]); }));
