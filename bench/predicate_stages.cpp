@@ -8,7 +8,6 @@
 
 #include <cmath>
 #include <random>
-#include <tuple>
 #include <vector>
 
 #include "../geom/lattice_filters.h"
@@ -96,7 +95,8 @@ void insphere_exact_stage(benchmark::State& state) {
   run(state, [&](std::size_t i) { return insphere_exact(at(i, 0), at(i, 1), at(i, 2), at(i, 3), at(i, 4)); });
 }
 void incircle_exact_stage(benchmark::State& state) {
-  const auto& [p, planes] = std::tie(data().integral, data().planes);
+  const auto& p = data().integral;
+  const auto& planes = data().planes;
   run(state, [&](std::size_t i) { return incircle_exact(planes[i], p[i], p[i + 1], p[i + 2], p[i + 3]); });
 }
 

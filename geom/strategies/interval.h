@@ -32,8 +32,8 @@ struct Interval {
 
   friend Interval operator-(const Interval& a) { return {-a.high, -a.low}; }
   friend Interval operator+(const Interval& a, const Interval& b) {
-    const double low = a.low + b.low, high = a.high + b.high;
-    return {low - kThree * std::fabs(low), high + kThree * std::fabs(high)};
+    const double l = a.low + b.low, h = a.high + b.high;
+    return {l - kThree * std::fabs(l), h + kThree * std::fabs(h)};
   }
   friend Interval operator-(const Interval& a, const Interval& b) { return a + -b; }
   friend Interval operator*(const Interval& a, const Interval& b) {

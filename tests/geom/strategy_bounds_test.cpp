@@ -140,7 +140,8 @@ TEST_CASE("errors of ball and double-double: the factor that makes up for their 
 
 TEST_CASE("every number holds what it stands for, sums and products of all sizes") {
   MESSAGE("seed " << kSeed);
-  for (const auto& [low, high] : {std::pair{-1, 1}, {-30, 30}, {-160, 189}, {-159, -150}, {180, 189}}) {
+  for (const auto& [least, most] : {std::pair{-1, 1}, {-30, 30}, {-160, 189}, {-159, -150}, {180, 189}}) {
+    const int low = least, high = most;
     CAPTURE(low);
     CHECK(wrong_operations<ExpansionArithmetic>(low, high, kSeed) == 0);
     CHECK(wrong_operations<DoubleDoubleArithmetic>(low, high, kSeed) == 0);
@@ -148,7 +149,8 @@ TEST_CASE("every number holds what it stands for, sums and products of all sizes
     CHECK(wrong_operations<BallArithmetic>(low, high, kSeed) == 0);
   }
   // Where products underflow the filters go on.
-  for (const auto& [low, high] : {std::pair{-1074, -1000}, {-600, -500}, {-1074, 189}, {-250, -200}}) {
+  for (const auto& [least, most] : {std::pair{-1074, -1000}, {-600, -500}, {-1074, 189}, {-250, -200}}) {
+    const int low = least, high = most;
     CAPTURE(low);
     CHECK(wrong_operations<DoubleDoubleArithmetic>(low, high, kSeed) == 0);
     CHECK(wrong_operations<IntervalArithmetic>(low, high, kSeed) == 0);
