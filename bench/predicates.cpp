@@ -1,169 +1,158 @@
-// Nanoseconds per predicate: the plain double determinant, the filter's hit, and the exact stage by kind of
-// point and width. All on random points, so nothing is degenerate unless the name says so.
+// Strategy x predicate x distribution: nanoseconds a call, multiples of the naive strategy, and which stage
+// of a cascade decides. docs/strategies.md shows a run.
 //
-//   bench_predicates --benchmark_min_time=0.2
+//   bench_predicates [--json FILE] [--picture FILE.svg] [--contours FILE] [--only PREDICATE]
+//                    [--repetitions N] [--seed N]
+//
+// Strategies take turns; a time is the median of the repetitions. Without --contours the contour data are
+// those of examples/demo.contour.
 
-#include <benchmark/benchmark.h>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <map>
+#include <string>
 
-#include <random>
-#include <vector>
-
-#include "../geom/double_filters.h"
-#include "../geom/lattice_filters.h"
-#include "../geom/plane_predicates.h"
-#include "../geom/predicates.h"
+#include "../geom/strategies/list.h"
+#include "../io/read_sections.h"
+#include "measurement.h"
+#include "predicate_cases.h"
+#include "predicate_questions.h"
 
 namespace {
 
 using namespace crossloft;
+using namespace crossloft::bench;
+using namespace crossloft::strategies;
 
-constexpr std::size_t kCount = 1024;  // fits the cache: the arithmetic is timed, not the memory
+constexpr std::size_t kCount = 512;
+constexpr double kTurnSeconds = 2e-4;
 
-struct Data {
-  LatticePointStore store;
-  std::vector<LatticePlane> planes;
-  std::vector<LatticePoint> integral, rational;
-  std::vector<Vec3> doubles;
-
-  Data() {
-    std::mt19937_64 engine(1);
-    const auto integer = [&](std::int64_t limit) {
-      return static_cast<std::int64_t>(engine() % (2 * static_cast<std::uint64_t>(limit) + 1)) - limit;
-    };
-    const auto vector = [&](std::int64_t limit) {
-      return LatticeVector{integer(limit), integer(limit), integer(limit)};
-    };
-    for (std::size_t i = 0; i < kCount + 8; ++i) {
-      planes.push_back(make_lattice_plane(vector(kLatticeLimit), vector(1 << 19), vector(1 << 19)));
-      integral.push_back(make_point(vector(kLatticeLimit)));
-      const LatticePoint& p = integral.back();
-      doubles.push_back(0x1p-50 * Vec3{p.x, p.y, p.z});
-    }
-    while (rational.size() < kCount + 8) {
-      const auto any = [&]() -> const LatticePlane& { return planes[engine() % planes.size()]; };
-      LatticePoint p;
-      if (store.meet(any(), any(), any(), p)) rational.push_back(p);
-    }
-  }
+struct Options {
+  std::string json, picture, contours = CROSSLOFT_SOURCE_DIR "/examples/demo.contour", only;
+  int repetitions = 9;
+  std::uint64_t seed = 1;
 };
 
-const Data& data() {
-  static const Data d;
-  return d;
+/// Keeps a result from being optimised away.
+volatile int sink;
+
+template <class Q, class S, class Case>
+Contestant contestant(const std::vector<Case>& cases, const Extent& extent) {
+  return {[&cases, strategy = S(extent), at = std::size_t{0}](std::size_t calls) mutable {
+    int sum = 0;
+    for (; calls > 0; --calls) {
+      sum += Q::ask(strategy, cases[at]);
+      if (++at == cases.size()) at = 0;
+    }
+    sink = sum;
+  }};
 }
 
-/// f(i) for i = 0, 1, ..., round and round.
-template <class F>
-void run(benchmark::State& state, const F& f) {
-  std::size_t i = 0;
-  for (auto _ : state) {
-    benchmark::DoNotOptimize(f(i));
-    i = (i + 1) % kCount;
+template <class Q, class S, class Case>
+Measurement histogram(const CaseSet<Case>& set, const Extent& extent) {
+  Measurement m{std::string(Q::kName), set.name, std::string(S::kName)};
+  const Counted<S> counted(extent);
+  std::size_t wrong = 0;
+  for (const Case& c : set.cases) {
+    const Verdict verdict = Q::ask(counted, c);
+    wrong += verdict != kUnknown && verdict != Q::ask(Crossloft(), c);
   }
+  const auto share = [&](std::uint64_t n) {
+    return static_cast<double>(n) / static_cast<double>(set.cases.size());
+  };
+  m.wrong = share(wrong);
+  for (const std::string_view name : StagesOf<S>::kNames) m.stages.emplace_back(name);
+  for (const std::uint64_t n : counted.counts()) m.decided.push_back(share(n));
+  return m;
 }
 
-double plain_orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
-  return det3(b - a, c - a, d - a);
+template <class Q, class Case>
+void measure(const CaseSet<Case>& set, const Options& options, std::vector<Measurement>& all) {
+  const Extent extent = extent_of(set.cases);
+  std::vector<Contestant> contestants;
+  std::vector<Measurement> measurements;
+  for_each_strategy([&]<class S>() {
+    contestants.push_back(contestant<Q, S>(set.cases, extent));
+    measurements.push_back(histogram<Q, S>(set, extent));
+  });
+  const std::vector<double> times = take_turns(std::move(contestants), options.repetitions, kTurnSeconds);
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    measurements[i].nanoseconds = times[i];
+    measurements[i].multiple = times[i] / times[0];  // the naive strategy is the first of the list
+  }
+  all.insert(all.end(), measurements.begin(), measurements.end());
+  std::fprintf(stderr, "%s, %s\n", std::string(Q::kName).c_str(), set.name.c_str());
 }
 
-void orient3d_plain(benchmark::State& state) {
-  const auto& p = data().doubles;
-  run(state, [&](std::size_t i) { return plain_orient3d(p[i], p[i + 1], p[i + 2], p[i + 3]) > 0; });
-}
-void insphere_plain(benchmark::State& state) {
-  const auto& p = data().doubles;
-  run(state, [&](std::size_t i) {
-    return filters::insphere(p[i] - p[i + 4], p[i + 1] - p[i + 4], p[i + 2] - p[i + 4], p[i + 3] - p[i + 4])
-               .det > 0;
+template <class Questions, class Case>
+void measure_all(const std::vector<CaseSet<Case>>& sets, const Options& options,
+                 std::vector<Measurement>& all) {
+  for_each_question<Questions>([&]<class Q>() {
+    if (!options.only.empty() && options.only != Q::kName) return;
+    for (const CaseSet<Case>& set : sets) measure<Q>(set, options, all);
   });
 }
 
-void orient3d_filter_inline(benchmark::State& state) {
-  const auto& p = data().integral;
-  run(state, [&](std::size_t i) { return orient3d_filter(p[i], p[i + 1], p[i + 2], p[i + 3]); });
-}
-void insphere_filter_inline(benchmark::State& state) {
-  const auto& p = data().integral;
-  run(state, [&](std::size_t i) { return insphere_filter(p[i], p[i + 1], p[i + 2], p[i + 3], p[i + 4]); });
-}
-void orient3d_filter_rational(benchmark::State& state) {
-  const auto& p = data().rational;
-  run(state, [&](std::size_t i) { return orient3d_filter(p[i], p[i + 1], p[i + 2], p[i + 3]); });
-}
-void insphere_filter_rational(benchmark::State& state) {
-  const auto& p = data().rational;
-  run(state, [&](std::size_t i) { return insphere_filter(p[i], p[i + 1], p[i + 2], p[i + 3], p[i + 4]); });
-}
-
-/// The exact stage with `rational` of the points rational.
-void orient3d_exact_stage(benchmark::State& state) {
-  const auto rational = static_cast<std::size_t>(state.range(0));
-  const auto at = [&](std::size_t i, std::size_t k) {
-    return k < rational ? data().rational[i + k] : data().integral[i + k];
-  };
-  run(state, [&](std::size_t i) { return orient3d_exact(at(i, 0), at(i, 1), at(i, 2), at(i, 3)); });
-}
-void insphere_exact_stage(benchmark::State& state) {
-  const auto rational = static_cast<std::size_t>(state.range(0));
-  const auto at = [&](std::size_t i, std::size_t k) {
-    return k < rational ? data().rational[i + k] : data().integral[i + k];
-  };
-  run(state, [&](std::size_t i) { return insphere_exact(at(i, 0), at(i, 1), at(i, 2), at(i, 3), at(i, 4)); });
-}
-void incircle_exact_stage(benchmark::State& state) {
-  const auto& [p, planes] = std::tie(data().integral, data().planes);
-  run(state, [&](std::size_t i) { return incircle_exact(planes[i], p[i], p[i + 1], p[i + 2], p[i + 3]); });
-}
-
-void side_of_plane_lattice(benchmark::State& state) {
-  run(state, [&](std::size_t i) { return side_of_plane(data().planes[i], data().integral[i]); });
-}
-void side_of_meet_planes(benchmark::State& state) {
-  const auto& p = data().planes;
-  run(state, [&](std::size_t i) { return side_of_meet(p[i], p[i + 1], p[i + 2], p[i + 3]); });
-}
-void meet_three_planes(benchmark::State& state) {
-  const auto& p = data().planes;
-  LatticePointStore store;
-  run(state, [&](std::size_t i) {
-    LatticePoint point;
-    return store.meet(p[i], p[i + 1], p[i + 2], point);
-  });
-}
-
-void doubles_orient3d(benchmark::State& state) {
-  const auto& p = data().doubles;
-  run(state, [&](std::size_t i) { return orient3d(p[i], p[i + 1], p[i + 2], p[i + 3]); });
-}
-void doubles_insphere(benchmark::State& state) {
-  const auto& p = data().doubles;
-  run(state, [&](std::size_t i) { return insphere(p[i], p[i + 1], p[i + 2], p[i + 3], p[i + 4]); });
-}
-
-/// Two equal points, x scaled down by 2^range: the width of the exact stage grows with the span of exponents.
-void doubles_insphere_degenerate(benchmark::State& state) {
-  std::vector<Vec3> p = data().doubles;
-  for (Vec3& v : p) {
-    v.x = std::ldexp(v.x, -static_cast<int>(state.range(0)));
-    v.y = std::ldexp(v.y, static_cast<int>(state.range(0)));
+std::vector<Vec3> contour_points(const std::string& path) {
+  std::vector<Vec3> points;
+  const auto sections = read_sections(path);
+  if (!sections) {
+    std::fprintf(stderr, "%s: %s\n", path.c_str(), sections.error().message.c_str());
+    std::exit(3);
   }
-  run(state, [&](std::size_t i) { return insphere(p[i], p[i + 1], p[i + 2], p[i + 3], p[i + 3]); });
+  for (const PlaneSection& plane : sections->planes)
+    points.insert(points.end(), plane.vertices.begin(), plane.vertices.end());
+  return points;
 }
 
-BENCHMARK(orient3d_plain);
-BENCHMARK(insphere_plain);
-BENCHMARK(orient3d_filter_inline);
-BENCHMARK(insphere_filter_inline);
-BENCHMARK(orient3d_filter_rational);
-BENCHMARK(insphere_filter_rational);
-BENCHMARK(orient3d_exact_stage)->DenseRange(0, 4);
-BENCHMARK(insphere_exact_stage)->DenseRange(0, 5);
-BENCHMARK(incircle_exact_stage);
-BENCHMARK(side_of_plane_lattice);
-BENCHMARK(side_of_meet_planes);
-BENCHMARK(meet_three_planes);
-BENCHMARK(doubles_orient3d);
-BENCHMARK(doubles_insphere);
-BENCHMARK(doubles_insphere_degenerate)->Arg(0)->Arg(20)->Arg(80)->Arg(900);
+bool write(const std::string& path, const std::string& text) {
+  if (path.empty()) return true;
+  std::FILE* file = std::fopen(path.c_str(), "wb");
+  const bool written = file != nullptr && std::fwrite(text.data(), 1, text.size(), file) == text.size();
+  const bool closed = file != nullptr && std::fclose(file) == 0;
+  if (!written || !closed) std::fprintf(stderr, "cannot write %s\n", path.c_str());
+  return written && closed;
+}
+
+bool parse(int argc, char** argv, Options& options) {
+  const std::map<std::string, std::string*> texts{{"--json", &options.json},
+                                                  {"--picture", &options.picture},
+                                                  {"--contours", &options.contours},
+                                                  {"--only", &options.only}};
+  for (int i = 1; i + 1 < argc; i += 2) {
+    const std::string name = argv[i];
+    if (const auto found = texts.find(name); found != texts.end()) {
+      *found->second = argv[i + 1];
+    } else if (name == "--repetitions") {
+      options.repetitions = std::max(1, std::atoi(argv[i + 1]));
+    } else if (name == "--seed") {
+      options.seed = std::strtoull(argv[i + 1], nullptr, 10);
+    } else {
+      return false;
+    }
+  }
+  return argc % 2 == 1;
+}
 
 }  // namespace
+
+int main(int argc, char** argv) {
+  Options options;
+  if (!parse(argc, argv, options)) {
+    std::fprintf(stderr,
+                 "usage: bench_predicates [--json FILE] [--picture FILE.svg] [--contours FILE]\n"
+                 "                        [--only PREDICATE] [--repetitions N] [--seed N]\n");
+    return 2;
+  }
+  std::printf("seed %llu, %zu cases a distribution, median of %d\n",
+              static_cast<unsigned long long>(options.seed), kCount, options.repetitions);
+  std::vector<Measurement> all;
+  LatticePointStore store;
+  measure_all<PlanarQuestions>(planar_cases(kCount, options.seed), options, all);
+  measure_all<SpaceQuestions>(space_cases(kCount, options.seed, contour_points(options.contours)), options,
+                              all);
+  measure_all<LatticeQuestions>(lattice_cases(kCount, options.seed, store), options, all);
+  print_tables(all);
+  return write(options.json, to_json(all)) && write(options.picture, to_svg(all)) ? 0 : 3;
+}

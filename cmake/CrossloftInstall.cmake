@@ -7,7 +7,8 @@ if(CROSSLOFT_BUILD_CLI)
   install(TARGETS crossloft_cli RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 endif()
 foreach(room IN LISTS CROSSLOFT_ROOMS)
-  install(DIRECTORY ${room} DESTINATION include/crossloft FILES_MATCHING PATTERN "*.h" PATTERN homogeneous.h EXCLUDE)
+  install(DIRECTORY ${room} DESTINATION include/crossloft FILES_MATCHING PATTERN "*.h" PATTERN homogeneous.h EXCLUDE
+          PATTERN strategies EXCLUDE)
 endforeach()
 
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/crossloft)
