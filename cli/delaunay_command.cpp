@@ -66,9 +66,10 @@ unsigned thread_count(const Arguments& arguments) {
   return arguments.threads != 0 ? arguments.threads : std::max(1u, std::thread::hardware_concurrency());
 }
 
-Result<Done> write(const Arguments& arguments, const Built& built, DelaunayReport& report,
+Result<Done> write(const Arguments& arguments, Built& built, DelaunayReport& report,
                    const Context& context) {
   if (!arguments.output.empty()) {
+    sort_simplices(built.triangulation);  // threads leave no trace in the file
     const auto written = write_triangulation(arguments.output, built.positions, built.triangulation, context);
     if (!written) return written;
   }
@@ -83,7 +84,7 @@ ExitCode run(const Arguments& arguments) {
   if (auto outputs = check_outputs({arguments.points}, {arguments.output, arguments.report}); !outputs)
     return terminal.fail(outputs.error());
   const unsigned threads = thread_count(arguments);
-  const auto built = arguments.weights ? regular(arguments) : delaunay(arguments, threads);
+  auto built = arguments.weights ? regular(arguments) : delaunay(arguments, threads);
   if (!built) return terminal.fail(built.error());
   DelaunayReport report = describe(built->triangulation, arguments.weights);
   report.threads = threads;

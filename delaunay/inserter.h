@@ -151,7 +151,7 @@ class Inserter {
   LocalVertices local_;           ///< vertices of the cavity and, if they are lifted, of the cells around it
   std::vector<LiftedRow> rows_;   ///< of the local vertices
   std::size_t dug_vertices_ = 0;  ///< vertices of the cavity, the ghost too, where some can be hidden
-  std::vector<std::uint8_t> dug_;  ///< by local number, the same
+  std::vector<std::uint8_t> dug_;  ///< by local number, as far as needed: in the cavity
   Scratch<StarCell> star_;
   std::vector<Facet> edges_;  ///< of new cells by the directed edge of the rim that they have
   std::vector<std::array<std::uint32_t, 2>> removed_;

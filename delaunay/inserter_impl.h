@@ -106,7 +106,7 @@ void Inserter<D, P, T>::hide_inner_vertices() {
   for (const Rim& rim : rim_)
     for (std::size_t slot = 0; slot <= D; ++slot)
       if (slot != rim.inside.slot()) dug_[local_.number(cells_.vertices(rim.inside.cell())[slot])] = 0;
-  for (std::size_t k = 0; k < local_.size(); ++k) {
+  for (std::size_t k = 0; k < dug_.size(); ++k) {
     if (!dug_[k]) continue;
     const std::uint32_t v = local_[k];
     keep(v, kNone);

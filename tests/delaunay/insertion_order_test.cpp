@@ -1,5 +1,7 @@
 #include "../../delaunay/insertion_order.h"
 
+#include "../../delaunay/hilbert_curve.h"
+
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -41,4 +43,26 @@ TEST_CASE("the last round walks in short steps") {
     for (std::size_t axis = 0; axis < 3; ++axis)
       length += std::abs(points[order[k]][axis] - points[order[k - 1]][axis]);
   CHECK(length / static_cast<double>(order.size() - begin) < 1.3);  // 8/7 cells a step along the curve
+}
+
+TEST_CASE("the curve passes all cells once, each beside the one before") {
+  using Cell = std::array<std::uint32_t, 3>;
+  std::vector<Cell> along(16 * 16 * 16, Cell{99, 99, 99});
+  for (std::uint32_t x = 0; x < 16; ++x)
+    for (std::uint32_t y = 0; y < 16; ++y)
+      for (std::uint32_t z = 0; z < 16; ++z)
+        along[crossloft::detail::HilbertCurve<3>::position({x, y, z}, 4)] = {x, y, z};
+  for (std::size_t k = 1; k < along.size(); ++k) {
+    int steps = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      steps += std::abs(static_cast<int>(along[k][axis]) - static_cast<int>(along[k - 1][axis]));
+    CHECK(steps == 1);
+  }
+  std::vector<std::array<std::uint32_t, 2>> flat(64, {99, 99});
+  for (std::uint32_t x = 0; x < 8; ++x)
+    for (std::uint32_t y = 0; y < 8; ++y) flat[crossloft::detail::HilbertCurve<2>::position({x, y}, 3)] = {x, y};
+  for (std::size_t k = 1; k < flat.size(); ++k)
+    CHECK(std::abs(static_cast<int>(flat[k][0]) - static_cast<int>(flat[k - 1][0])) +
+              std::abs(static_cast<int>(flat[k][1]) - static_cast<int>(flat[k - 1][1])) ==
+          1);
 }

@@ -43,7 +43,26 @@ Tracked insphere_of(const Tracked& d, const Tracked& l) {
   return pair + pair;
 }
 
+/// lifted_determinant: minors of two coordinates times minors of lift and coordinate, three in each lane.
+Tracked lifted_of(const Tracked& d, const Tracked& l) {
+  const Tracked term = det2_of(d) * (l * d - d * l), lane = (term - term) + term;
+  return lane + lane;
+}
+
+/// The filter's constant holds, if it is not the least there is.
+void check_covers(double constant, const Tracked& determinant) {
+  mpq_class least = mpq_class(constant);
+  for (int i = 0; i < 6; ++i) least *= 1 - kUnit;
+  CHECK(least >= determinant.error);
+}
+
 }  // namespace
+
+TEST_CASE("the in-sphere constants hold for determinants of lifted rows") {
+  check_covers(filters::kInsphereError, lifted_of(kExact, lift(false, 3)));
+  check_covers(filters::kRoundedInsphereError, lifted_of(kRounded, lift(true, 3)));
+  check_covers(filters::kPower3dError, lifted_of(kRounded, weighted_lift()));
+}
 
 TEST_CASE("constants on the lattice: exact differences") {
   check_constant(filters::kOrient2dError, det2_of(kExact));
