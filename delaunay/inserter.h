@@ -82,6 +82,9 @@ class Inserter {
 
   /// A cell to start the next search from. REQUIRES: it is owned.
   void set_hint(std::uint32_t cell) { hint_ = cell; }
+  std::uint32_t hint() const { return hint_; }
+  /// A cell that this inserter made is still in the triangulation.
+  bool is_there(std::uint32_t cell) const { return !cells_.is_free(cell) && !cells_.is_ghost(cell); }
   CellPool& pool() { return pool_; }
   /// How many vertices have come, less those that were hidden.
   std::int64_t gained() const { return gained_; }

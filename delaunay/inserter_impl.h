@@ -15,7 +15,7 @@ template <std::size_t D, class P, class T>
 bool Inserter<D, P, T>::insert(std::uint32_t i, std::uint32_t start) {
   const std::uint32_t at = locate(i, start);
   if (!territory_.owns(cells_.vertices(at))) return false;
-  hint_ = at;
+  if (!cells_.is_ghost(at)) hint_ = at;  // behind a ghost may be a cell that is not owned
   removed_.clear();
   if (const std::uint32_t twin = equal_vertex(at, i); twin != kNone) return keep(i, twin);
   if constexpr (HasHeights<P>) {

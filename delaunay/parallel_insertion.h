@@ -8,6 +8,8 @@
 /// Marot, Pellerin, Remacle, One machine, one minute, three billion tetrahedra (2019), for partitions that
 /// change and for leaving points over instead of waiting; ownership by vertices is theirs too.
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -59,13 +61,30 @@ class ParallelInsertion {
 
     void run() {
       left.clear();
+      anchors.fill(inserter.hint());
       for (const std::uint32_t i : points)
-        if (!has_start || !inserter.insert(i)) left.push_back(i);
+        if (!has_start || !insert(i)) left.push_back(i);
+    }
+    /// The owned cells may fall apart into several pieces, and a search can't leave the one it starts in: so
+    /// after many failures it starts again from cells made a while ago. Those that are still there are owned.
+    bool insert(std::uint32_t i) {
+      if (inserter.insert(i)) {
+        failures = 0;
+        if (++inserted % kAnchorEvery == 0) anchors[inserted / kAnchorEvery % anchors.size()] = inserter.hint();
+        return true;
+      }
+      if (++failures % kManyFailures != 0) return false;
+      for (const std::uint32_t cell : anchors)
+        if (inserter.is_there(cell) && inserter.insert(i, cell)) return true;
+      return false;
     }
 
     Inserter<3, P, Territory> inserter;
     std::vector<std::uint32_t> points, left;
     bool has_start = false;
+    static constexpr std::size_t kAnchorEvery = 256, kManyFailures = 16;
+    std::array<std::uint32_t, 3> anchors{};
+    std::size_t inserted = 0, failures = 0;
   };
 
   void divide(const std::vector<std::uint32_t>& points, std::uint32_t vertices, unsigned turn);
