@@ -34,7 +34,9 @@ template <std::size_t D, class P>
 std::uint32_t DelaunayCore<D, P>::insert_in_parallel(unsigned threads) requires(D == 3) {
   constexpr std::uint32_t kPerThread = 5000, kMostThreads = 256;
   const std::uint32_t count = predicates_.size();
-  threads = std::min({threads, kMostThreads, count / (4 * kPerThread)});
+  // More than a few per core gain nothing, and a system that refuses one would end the program.
+  const unsigned cores = std::max(1u, std::thread::hardware_concurrency());
+  threads = std::min({threads, kMostThreads, 4 * cores, count / (4 * kPerThread)});
   std::uint32_t done = 0;
   if (threads < 2) return done;
   for (; done < threads * kPerThread; ++done) insert(done);

@@ -37,7 +37,7 @@
 
 namespace crossloft::detail {
 
-/// A triangulation of full dimension while it grows; several inserters may share it (territory.h).
+/// A triangulation of full dimension while it grows; several inserters may share it (division.h).
 template <std::size_t D>
 struct GrowingTriangulation {
   SimplexStore<D> cells;

@@ -7,8 +7,8 @@
 
 namespace crossloft::detail {
 
-/// Asks the system to back memory not yet used with large pages; no effect but speed: fewer page faults, and far
-/// fewer misses of the address cache. Does nothing where there is no such thing, or for little memory.
+/// Asks the system to back memory not yet used with large pages; no effect but on speed: fewer page faults. Within
+/// the noise for a million points; it is meant for arrays that grow. Does nothing where there is no such thing, or for little memory.
 void advise_large_pages(void* memory, std::size_t bytes);
 
 /// vector.reserve(count), in large pages.

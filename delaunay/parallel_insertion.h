@@ -6,7 +6,7 @@
 /// that takes many of them in; the caller inserts the rest. The triangulation is a function of the points alone
 /// (perturbation.h), so neither the divisions nor the order of the threads' work can be seen in it. Source:
 /// Marot, Pellerin, Remacle, One machine, one minute, three billion tetrahedra (2019), for partitions that
-/// change and for leaving points over instead of waiting; ownership by vertices is theirs too.
+/// change and for leaving points over instead of waiting.
 
 #include <algorithm>
 #include <array>

@@ -31,7 +31,7 @@ namespace crossloft {
 ///     triangulation.build();
 ///     if (triangulation.dimension() == 3) TetMesh mesh = triangulation.tet_mesh();
 ///
-/// Expected time O(n log n) plus the tetrahedra made; 36 bytes a tetrahedron, 12 a site. Needs fewer than
+/// Expected time O(n log n) plus the tetrahedra made; 33 bytes a tetrahedron, 8 a site. Needs fewer than
 /// 2^30 tetrahedra, hull facets included. One object is used by one thread; `P` must outlive it. Source:
 /// Edelsbrunner and Shah, Incremental topological flipping works for regular triangulations (1996), for
 /// hidden sites and the walk; the insertion itself is that of delaunay_core.h.

@@ -27,10 +27,10 @@ struct Triangulation {
 /// plane or line get the triangulation of that plane or line. The simplices come in no particular order
 /// (sort_simplices).
 ///
-/// The points are taken over and stored in insertion_order for the while. Besides the result 25 bytes a point
-/// and 1 a tetrahedron, 4 a point more for each further thread. Expected O(n log n) plus the tetrahedra made.
-/// `threads`: 0 counts as 1; few points use fewer. REQUIRES: finite coordinates, fewer than 2^30 tetrahedra, hull facets
-/// included.
+/// The points are taken over and stored in insertion_order for the while: besides the result 32 bytes a point
+/// and 1 a tetrahedron, with several threads 2 a point more and 4 for each. Expected O(n log n) plus the
+/// tetrahedra made. `threads`: 0 counts as 1; few points use fewer, and no more than four a core are made.
+/// REQUIRES: finite coordinates, fewer than 2^30 tetrahedra, hull facets included.
 Triangulation delaunay_triangulation(std::vector<Vec3> points, unsigned threads = 1);
 
 /// The regular triangulation (contracts in regular3.h) in the same way. REQUIRES: finite coordinates and
@@ -39,7 +39,7 @@ Triangulation regular_triangulation(std::span<const WeightedPoint> points);
 
 /// Puts the simplices into the order of their vertices, and the vertices of each into the ascending order, or
 /// that with the last two exchanged, whichever has its orientation: then the arrays are a function of the
-/// points alone. O(n) expected, 12 bytes a tetrahedron for the while.
+/// points alone. O(n) expected, 8 bytes a tetrahedron and 4 a point for the while.
 void sort_simplices(Triangulation& triangulation);
 
 }  // namespace crossloft

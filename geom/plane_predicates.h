@@ -1,6 +1,6 @@
 #pragma once
-/// Predicates on planes alone: points are named by the planes they lie on and never get coordinates. The
-/// arrangement is built on these, so that no rounding and no growth of coordinates enters its combinatorics.
+/// Predicates on planes alone: points are named by the planes they lie on and never get coordinates, so
+/// that no rounding and no growth of coordinates can enter. Arrangement::verify() checks every vertex by them.
 
 #include "lattice_filters.h"
 
