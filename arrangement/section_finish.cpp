@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "contour_chains.h"
 #include "section_steps.h"
 
 namespace crossloft::section_steps {
@@ -10,36 +11,27 @@ namespace {
 
 Vec3 position(const LatticePoint& p) { return {p.x, p.y, p.z}; }
 
-bool interior_to_face(const SectionGraph& graph, std::uint32_t v) {
-  std::uint32_t planes = 0;
-  for (const std::uint64_t word : graph.zero_of(v)) planes += static_cast<std::uint32_t>(__builtin_popcountll(word));
-  return planes == 1;
-}
-
 /// Removes vertices of the contours of one plane that snapping has bent by a hair: one that dips to the inner side
 /// makes an external sliver with its neighbours where no other vertex is near, and with it go the tetrahedra on it.
-/// Exactly collinear vertices do no such harm and stay: they are the sampling of the contour. A piece keeps the points it replaced, so that errors don't add up.
+/// Exactly collinear vertices do no such harm and stay: they are the sampling of the contour.
 class RunMerger {
  public:
-  RunMerger(SectionGraph& graph, std::uint32_t plane) : graph_(graph), plane_(graph.planes[plane]), walls_(graph.walls[plane]) {
+  RunMerger(SectionGraph& graph, std::uint32_t plane)
+      : graph_(graph), plane_(graph.planes[plane]), walls_(graph.walls[plane]), chains_(walls_, graph.size()) {
     tolerance_ = snapping_tolerance(plane_);
   }
   void run();
 
  private:
-  std::uint32_t other_end(std::uint32_t wall, std::uint32_t v) const {
-    return walls_[wall].a == v ? walls_[wall].b : walls_[wall].a;
-  }
+  std::vector<std::uint32_t> candidates() const;
   bool near_segment(std::uint32_t u, std::uint32_t w, std::uint32_t v) const;
   bool try_remove(std::uint32_t v);
 
   SectionGraph& graph_;
   LatticePlane plane_;
   std::vector<Wall>& walls_;
+  ContourChains chains_;
   double tolerance_ = 0;
-  std::vector<std::vector<std::uint32_t>> around_;    ///< walls by vertex
-  std::vector<std::vector<std::uint32_t>> replaced_;  ///< vertices by wall
-  std::vector<bool> dead_;
 };
 
 /// v projects into the open segment uw and is within tolerance of it. Differences of explicit points are exact, the
@@ -51,40 +43,33 @@ bool RunMerger::near_segment(std::uint32_t u, std::uint32_t w, std::uint32_t v) 
 }
 
 bool RunMerger::try_remove(std::uint32_t v) {
-  const std::uint32_t first = around_[v][0], second = around_[v][1];
-  const std::uint32_t u = other_end(first, v), w = other_end(second, v);
-  if (u == w) return false;
+  const auto [u, w] = chains_.neighbours(v);
+  if (u == w || chains_.joined(u, w)) return false;
   if (orient2d(plane_, graph_.points[u], graph_.points[w], graph_.points[v]) == 0) return false;
-  std::vector<std::uint32_t> through = replaced_[first];
-  through.insert(through.end(), replaced_[second].begin(), replaced_[second].end());
-  through.push_back(v);
-  if (!std::all_of(through.begin(), through.end(), [&](auto p) { return near_segment(u, w, p); })) return false;
-  for (const std::uint32_t wall : around_[u])
-    if (other_end(wall, u) == w) return false;
-  (walls_[first].a == v ? walls_[first].a : walls_[first].b) = w;
-  std::replace(around_[w].begin(), around_[w].end(), second, first);
-  replaced_[first] = std::move(through);
-  dead_[second] = true;
+  const auto near = [&, u = u, w = w](std::uint32_t p) { return near_segment(u, w, p); };
+  if (!chains_.all_replaced_without(v, near)) return false;
+  chains_.remove(v);
   return true;
 }
 
-void RunMerger::run() {
-  around_.resize(graph_.size());
-  replaced_.resize(walls_.size());
-  dead_.resize(walls_.size(), false);
-  std::vector<std::uint32_t> candidates;
-  for (std::uint32_t w = 0; w < walls_.size(); ++w)
-    for (const std::uint32_t v : {walls_[w].a, walls_[w].b}) {
-      around_[v].push_back(w);
-      if (around_[v].size() == 1 && interior_to_face(graph_, v)) candidates.push_back(v);
-    }
-  std::sort(candidates.begin(), candidates.end(), [&](std::uint32_t a, std::uint32_t b) {
-    return compare_lex(graph_.points[a], graph_.points[b]) < 0;
+/// Vertices of degree 2 in the interior of a face, by coordinates.
+std::vector<std::uint32_t> RunMerger::candidates() const {
+  std::vector<std::uint32_t> found;
+  for (const Wall& wall : walls_)
+    for (const std::uint32_t v : {wall.a, wall.b})
+      if (chains_.degree(v) == 2 && graph_.common_planes(v, v) == 1) found.push_back(v);
+  std::sort(found.begin(), found.end(), [&](std::uint32_t a, std::uint32_t b) {
+    const int s = compare_lex(graph_.points[a], graph_.points[b]);
+    return s != 0 ? s < 0 : a < b;
   });
-  for (const std::uint32_t v : candidates)
-    if (around_[v].size() == 2 && try_remove(v)) ++graph_.statistics.merged_collinear;
-  std::uint32_t w = 0;
-  std::erase_if(walls_, [&](const Wall&) { return dead_[w++]; });
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  return found;
+}
+
+void RunMerger::run() {
+  for (const std::uint32_t v : candidates())
+    if (try_remove(v)) ++graph_.statistics.merged_collinear;
+  chains_.finish();
 }
 
 /// Vertices into lexicographic order, equal ones into one, those without a wall out unless `kept`.
@@ -216,11 +201,13 @@ void merge_collinear_runs(SectionGraph& graph) {
   for (std::uint32_t p = 0; p < graph.planes.size(); ++p) RunMerger(graph, p).run();
 }
 
+void drop_bare_vertices(SectionGraph& graph) { renumber(graph, std::vector<bool>(graph.size(), false)); }
+
 void unify(SectionGraph& graph, const Arrangement& arrangement) {
-  renumber(graph, std::vector<bool>(graph.size(), false));
+  drop_bare_vertices(graph);
   cut_touching(graph);
   cut_along_edges(graph, arrangement);
-  renumber(graph, std::vector<bool>(graph.size(), false));
+  drop_bare_vertices(graph);
 }
 
 void add_arrangement_vertices(SectionGraph& graph, const Arrangement& arrangement) {

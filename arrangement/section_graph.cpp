@@ -1,6 +1,7 @@
 #include "section_graph.h"
 
 #include <algorithm>
+#include <bit>
 
 #include "section_steps.h"
 
@@ -8,6 +9,12 @@ namespace crossloft {
 
 int SectionGraph::sign(std::uint32_t v, std::uint32_t p) const {
   return sign_at({positive_of(v), zero_of(v)}, PlaneId{p});
+}
+
+std::uint32_t SectionGraph::common_planes(std::uint32_t u, std::uint32_t v) const {
+  int count = 0;
+  for (std::uint32_t w = 0; w < words; ++w) count += std::popcount(zero_of(u)[w] & zero_of(v)[w]);
+  return static_cast<std::uint32_t>(count);
 }
 
 std::uint32_t SectionGraph::add(const LatticePoint& point) {
@@ -86,6 +93,8 @@ Result<SectionGraph> build_section_graph(const FramedSections& framed, const Arr
   steps::merge_collinear_runs(graph);
   steps::unify(graph, arrangement);
   if (auto oriented = orient_walls(graph); !oriented) return oriented.error();
+  if (tolerances.simplify > 0) steps::simplify_contours(graph, tolerances.simplify);
+  if (context.cancelled()) return make_error(ErrorCode::cancelled, "cancelled");
   steps::add_arrangement_vertices(graph, arrangement);
   if (auto oriented = orient_walls(graph); !oriented) return oriented.error();
   for (const auto& walls : graph.walls)

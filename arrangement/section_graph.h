@@ -41,6 +41,8 @@ struct CrossingStatistics {
   std::uint32_t unpaired = 0;        ///< crossings that found no partner, matches taken back not counted
   std::uint32_t undone = 0;          ///< matches taken back because contours would have crossed
   std::uint32_t merged_collinear = 0;
+  std::uint32_t simplified = 0;      ///< contour vertices left out within the tolerance
+  double deviation = 0;              ///< lattice units: largest distance of one of them from the wall in its place
   std::uint32_t disagreeing = 0;     ///< arrangement vertices inside one section, outside another
   std::vector<Mismatch> unmatched;
 };
@@ -59,6 +61,8 @@ struct SectionGraph {
   std::span<const std::uint64_t> zero_of(std::uint32_t v) const { return row(zero, v); }
   /// -1, 0, +1: the side of plane p that vertex v is on.
   int sign(std::uint32_t v, std::uint32_t p) const;
+  /// How many planes both vertices are on.
+  std::uint32_t common_planes(std::uint32_t u, std::uint32_t v) const;
   /// Adds a vertex and its exact signs; equal points are not merged here. Returns its number.
   std::uint32_t add(const LatticePoint& point);
   /// Moves a vertex and renews its signs.
@@ -75,12 +79,15 @@ struct SectionGraph {
 struct CrossingTolerances {
   double on = 0;     ///< lattice units: a contour vertex this near another plane is a crossing already
   double match = 0;  ///< lattice units: crossings of two sections this near are the same
+  double simplify = 0;  ///< lattice units: vertices within faces go if the contour moves no further; 0: all stay
 };
 
 /// Builds the graph: vertices near a line go onto it, contours are cut at all planes, crossings of different
-/// sections are matched, collinear runs merged, arrangement vertices inside closed sections added, walls oriented.
+/// sections are matched, collinear runs merged, contours simplified if a tolerance is given, arrangement vertices inside
+/// closed sections added, walls oriented.
 /// `store` owns the new points and must be the one that the arrangement was built with.
-/// Errors: self_crossing, cancelled. Complexity: O(n k) sign tests for n vertices and k planes.
+/// Errors: self_crossing, cancelled. Complexity: O(n k) sign tests for n vertices and k planes; simplifying
+/// O(n log n) more where few vertices lie in the boxes of the pieces that are replaced.
 Result<SectionGraph> build_section_graph(const FramedSections& framed, const Arrangement& arrangement,
                                          LatticePointStore& store, const CrossingTolerances& tolerances,
                                          const Context& context);

@@ -40,6 +40,14 @@ void merge_collinear_runs(SectionGraph& graph);
 /// everything is put into lexicographic order.
 void unify(SectionGraph& graph, const Arrangement& arrangement);
 
+/// Drops contour vertices in the interior of faces as long as all that were dropped stay within `tolerance` of the wall in
+/// their place, contours neither cross nor vanish, and sections stay the same on the lines of planes: see
+/// section_simplify.cpp. REQUIRES: unify() done, contours don't cross.
+void simplify_contours(SectionGraph& graph, double tolerance);
+
+/// Takes out the vertices without a wall.
+void drop_bare_vertices(SectionGraph& graph);
+
 /// Adds the arrangement vertices that lie in the closed section of one of their planes.
 void add_arrangement_vertices(SectionGraph& graph, const Arrangement& arrangement);
 

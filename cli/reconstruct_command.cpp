@@ -111,6 +111,12 @@ void add_reconstruct(CLI::App& program, ExitCode& outcome) {
                    "a vertex further from its plane is an error; a fraction of the diagonal")
       ->capture_default_str()
       ->check(CLI::Range(0.0, 0.1));
+  command
+      ->add_option("--simplify", a.options.simplify,
+                   "leave out contour vertices that a straight edge replaces this closely; a fraction of the diagonal, "
+                   "0: none; the solid then meets the sections of --dump-sections")
+      ->capture_default_str()
+      ->check(CLI::Range(0.0, 1.0));
   command->add_option("--report", a.report, "also a report (docs/report.md)")->check(extension_in({".json"}));
   command->add_option("--picture", a.picture, "also a picture of sections and surface")
       ->check(extension_in({".png"}));

@@ -46,7 +46,8 @@ Json to_json(const Options& o) {
           {"cutting", o.branching.cutting},
           {"match_tolerance", o.match_tolerance},
           {"plane_tolerance", o.plane_tolerance},
-          {"on_tolerance", o.on_tolerance}};
+          {"on_tolerance", o.on_tolerance},
+          {"simplify", o.simplify}};
 }
 
 Json input_part(const Report& r) {
@@ -55,6 +56,8 @@ Json input_part(const Report& r) {
           {"displacement", r.displacement},
           {"off_plane", r.off_plane},
           {"merged_collinear", r.merged_collinear},
+          {"simplified_vertices", r.simplified_vertices},
+          {"simplify_deviation", r.simplify_deviation},
           {"edge_splits", r.edge_splits},
           {"planes", to_json(r.planes)}};
 }

@@ -11,6 +11,9 @@ void print_summary(Terminal& terminal, const Report& report) {
                  report.surface_vertices);
   terminal.print("crossings    %u on common lines of two planes, %zu unmatched\n", report.crossings,
                  report.unmatched.size());
+  if (report.simplified_vertices != 0)
+    terminal.print("simplified   %u contour vertices left out, contours moved by up to %.3g\n",
+                   report.simplified_vertices, report.simplify_deviation);
   terminal.print("branching    %u samples on %u faces\n", report.branching_samples, report.branching_faces);
   terminal.print("flat         %u regions, area %.6g of %.6g\n", report.flat_regions, report.flat_area,
                  report.section_area);

@@ -15,7 +15,7 @@ constexpr double kLargestCoordinate = 1e100;
 }  // namespace
 
 Result<Done> Pipeline::check_input() const {
-  for (const double tolerance : {options_.match_tolerance, options_.on_tolerance})
+  for (const double tolerance : {options_.match_tolerance, options_.on_tolerance, options_.simplify})
     if (!(tolerance >= 0 && tolerance <= 1))
       return make_error(ErrorCode::usage, "a tolerance is a fraction of the diagonal, between 0 and 1");
   for (std::uint32_t p = 0; p < sections_.planes.size(); ++p)
@@ -51,6 +51,8 @@ void Pipeline::report_crossings() {
   report.largest_match_gap = s.largest_gap * framed_.grid.unit();
   report.disagreeing_vertices = s.disagreeing;
   report.merged_collinear = s.merged_collinear;
+  report.simplified_vertices = s.simplified;
+  report.simplify_deviation = s.deviation * framed_.grid.unit();
   for (const Mismatch& m : s.unmatched) {
     const Vec3 p = framed_.grid.from_lattice(m.point);
     report.unmatched.push_back({framed_.planes[m.plane].sources[0], framed_.planes[m.other].sources[0], p.x, p.y, p.z});
@@ -76,7 +78,8 @@ Result<Done> Pipeline::arrange() {
   report.seconds.arrangement = watch_.lap();
   const double unit = framed_.grid.unit();
   const CrossingTolerances tolerances{options_.on_tolerance * framed_.diagonal / unit,
-                                      options_.match_tolerance * framed_.diagonal / unit};
+                                      options_.match_tolerance * framed_.diagonal / unit,
+                                      options_.simplify * framed_.diagonal / unit};
   auto graph = build_section_graph(framed_, *arrangement_, store_, tolerances, context_);
   if (!graph) return graph.error();
   graph_ = std::move(graph).value();

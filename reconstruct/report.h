@@ -54,6 +54,8 @@ struct Report {
   double largest_match_gap = 0;       ///< longest way between two crossings that were matched
   std::uint32_t disagreeing_vertices = 0;  ///< arrangement vertices that are inside one section and outside another
   std::uint32_t merged_collinear = 0; ///< vertices dropped that snapping bent off a straight run
+  std::uint32_t simplified_vertices = 0;  ///< contour vertices left out for Options::simplify
+  double simplify_deviation = 0;      ///< largest distance of one of them from the contour edge in its place
   std::uint32_t branching_samples = 0;  ///< vertices added on branching and cutting diagrams
   std::uint32_t branching_faces = 0;  ///< faces that got some
   std::uint32_t edge_splits = 0;      ///< vertices added to make contours Delaunay-conforming

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # The same bytes from g++ -O3, g++ -O0 with verify() on, and clang++: surfaces, solids, sections and branching
-# diagrams of every example, the latter with all samples, and a Moebius diagram. Expects build/release; builds the other two. Where it matters: -O3 is where a value-changing
+# diagrams of every example, the latter with all samples, surfaces of simplified contours, and a Moebius diagram. Expects build/release; builds the other two. Where it matters: -O3 is where a value-changing
 # transformation would show, another compiler is where an unspecified order of evaluation would.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -19,6 +19,7 @@ for name in release dev clang; do
     target=$scratch/$name/$(basename "$input" .contour)
     build/$name/crossloft reconstruct "$input" --quiet -o "$target.ply" --solid "$target.vtu" \
       --dump-sections "$target.contour" >/dev/null
+    build/$name/crossloft reconstruct "$input" --quiet --simplify 1e-3 -o "$target.few.ply" >/dev/null
     build/$name/crossloft reconstruct "$input" --quiet --branching all --cutting -o "$target.all.ply" \
       --dump-branching "$target.svg" >/dev/null
   done

@@ -4,39 +4,14 @@
 
 #include <algorithm>
 #include <bit>
-#include <memory>
 
-#include "../../arrangement/data_box.h"
+#include "built_graph.h"
 #include "polygon_sections.h"
 
 using namespace crossloft;
 using namespace crossloft::test;
 
 namespace {
-
-struct Built {
-  FramedSections framed;
-  LatticePointStore store;
-  std::unique_ptr<Arrangement> arrangement;
-  Result<SectionGraph> graph = make_error(ErrorCode::internal, "not built");
-};
-
-/// Builds the graph; tolerances are fractions of the diagonal.
-Built build(const Sections& sections, double match = 2e-3, double on = 1e-9) {
-  Built built;
-  auto framed = frame_sections(sections, 1e-3);
-  REQUIRE(framed.ok());
-  built.framed = std::move(framed).value();
-  std::vector<LatticePlane> planes;
-  for (const FramedPlane& p : built.framed.planes) planes.push_back(p.plane);
-  auto arrangement = build_arrangement(planes, data_box(built.framed), built.store);
-  REQUIRE(arrangement.ok());
-  built.arrangement = std::make_unique<Arrangement>(std::move(arrangement).value());
-  const double unit = built.framed.diagonal / built.framed.grid.unit();
-  built.graph = build_section_graph(built.framed, *built.arrangement, built.store, {on * unit, match * unit}, {});
-  if (built.graph) CHECK(verify(*built.graph, *built.arrangement) == "");
-  return built;
-}
 
 /// The unit square of half side h in z = 0 and in x = 0, the second moved by `shift` along their common line.
 Sections crossing_squares(double h, double shift) {

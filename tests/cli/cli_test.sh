@@ -87,6 +87,17 @@ absent cut2.csl
 expect 0 '' reconstruct cube.contour -o quiet.ply --quiet
 [ -s out.txt ] && { echo "FAILED: --quiet is not"; cat out.txt; failures=$((failures + 1)); }
 
+# Fewer vertices: off by default, told in summary and report, conforming to the sections it dumps
+expect 0 '' reconstruct "$source/examples/demo.contour" -o plain.ply --report plain.json
+grep -q simplified out.txt && fail 'simplified without being asked'
+grep -q '"simplified_vertices": 0,' plain.json && grep -q '"simplify": 0.0,\?$' plain.json || fail 'not off by default'
+expect 0 '^simplified +[1-9][0-9]* contour vertices' reconstruct "$source/examples/demo.contour" -o few.ply \
+  --simplify 1e-3 --report few.json --dump-sections few.contour
+grep -q '"simplify": 0.001$' few.json && grep -q '"simplified_vertices": [1-9]' few.json || fail 'the report does not tell'
+expect 0 'good' check few.ply few.contour
+expect 2 '' reconstruct "$source/examples/demo.contour" -o few.ply --simplify -1
+expect 2 '' reconstruct "$source/examples/demo.contour" -o few.ply --simplify 2
+
 # Delaunay: the same points as text, surfaces and raw doubles
 # value KEY REPORT: what a report says.
 value() { sed -n "s/^  \"$1\": \"\?\([^\",]*\)\"\?,\?\$/\1/p" "$2"; }
