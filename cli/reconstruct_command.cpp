@@ -19,7 +19,7 @@ namespace {
 
 struct Arguments {
   std::string input, surface, solid, report, sections, picture, drawings;
-  std::string mode = "joint", branching = "auto";
+  std::string mode = "natural", branching = "auto";
   Options options;
   unsigned threads = 0;
   bool quiet = false;
@@ -28,7 +28,8 @@ struct Arguments {
 PruneMode mode_named(const std::string& name) {
   return name == "paper"           ? PruneMode::paper
          : name == "paper-literal" ? PruneMode::paper_literal
-                                   : PruneMode::joint;
+         : name == "joint"         ? PruneMode::joint
+                                   : PruneMode::natural;
 }
 
 Branching branching_named(const std::string& name) {
@@ -91,9 +92,26 @@ void add_reconstruct(CLI::App& program, ExitCode& outcome) {
   command->add_option("FILE", a.input, "cross-sections")->required()->check(is_sections_file());
   command->add_option("-o,--output", a.surface, "the surface")->required()->check(is_surface_file());
   command->add_option("--solid", a.solid, "also the tetrahedra")->check(is_solid_file());
-  command->add_option("--mode", a.mode, "pruning: joint keeps most, paper as Boissonnat and Memari")
+  command->add_option("--mode", a.mode, "pruning: natural for the likely shape without needless handles, joint keeps most, paper as "
+                   "Boissonnat and Memari")
       ->capture_default_str()
-      ->check(CLI::IsMember({"joint", "paper", "paper-literal"}));
+      ->check(CLI::IsMember({"natural", "joint", "paper", "paper-literal"}));
+  NaturalOptions& natural = a.options.natural;
+  command
+      ->add_option("--join-confidence", natural.join_confidence,
+                   "natural: sections are joined where the best way between them is this sure, -1 to 1")
+      ->capture_default_str()
+      ->check(CLI::Range(-1.0, 1.0));
+  command
+      ->add_option("--dome-confidence", natural.dome_confidence,
+                   "natural: a hole in a section is closed over where its dome is this sure, -1 to 1")
+      ->capture_default_str()
+      ->check(CLI::Range(-1.0, 1.0));
+  command
+      ->add_option("--smooth-weight", natural.smooth_weight,
+                   "natural: weight of a small surface against a likely volume")
+      ->capture_default_str()
+      ->check(CLI::Range(0.0, 100.0));
   command
       ->add_option("--branching", a.branching,
                    "samples where a section branches: auto where it faces several others, all of the branching diagram")

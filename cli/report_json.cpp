@@ -21,14 +21,14 @@ Json to_json(const PlaneReport& p) {
           {"off_plane", p.off_plane}};
 }
 
-Json to_json(const CellReport& c) {
-  return {{"faces", c.faces},     {"vertices", c.vertices}, {"tets_r0", c.tets_r0},    {"tets_r1", c.tets_r1},
-          {"tets_r2", c.tets_r2}, {"tets_r3", c.tets_r3},   {"bad_links", c.bad_links}};
+Json to_json(const Vec3& p) { return {p.x, p.y, p.z}; }
+
+Json to_json(const JoinReport& j) {
+  return {{"a", to_json(j.a)}, {"b", to_json(j.b)}, {"confidence", j.confidence}, {"done", j.done}};
 }
 
-Json to_json(const UnmatchedCrossing& u) {
-  return {{"plane", u.plane}, {"other_plane", u.other_plane}, {"point", {u.x, u.y, u.z}}};
-}
+Json to_json(const CellReport& c);
+Json to_json(const UnmatchedCrossing& u);
 
 template <class T>
 Json to_json(const std::vector<T>& items) {
@@ -37,12 +37,50 @@ Json to_json(const std::vector<T>& items) {
   return list;
 }
 
+Json to_json(const CellReport& c) {
+  return {{"faces", c.faces},
+          {"vertices", c.vertices},
+          {"tets_r0", c.tets_r0},
+          {"tets_r1", c.tets_r1},
+          {"tets_r2", c.tets_r2},
+          {"tets_r3", c.tets_r3},
+          {"bad_links", c.bad_links},
+          {"sections", c.topology.sections},
+          {"bodies", c.topology.bodies},
+          {"outsides", c.topology.outsides},
+          {"voids", c.topology.voids},
+          {"handles", c.topology.genus},
+          {"handles_before", c.genus_before},
+          {"bare_triangles", c.topology.bare},
+          {"grown", c.grown},
+          {"joins", to_json(c.joins)},
+          {"domes", c.domes}};
+}
+
+Json to_json(const TopologyReport& t) {
+  return {{"handles", t.handles},
+          {"handles_before", t.handles_before},
+          {"grown_cells", t.grown_cells},
+          {"joins", t.joins},
+          {"refused_joins", t.refused_joins},
+          {"weakest_join", t.weakest_join},
+          {"walls", t.walls},
+          {"voids", t.voids}};
+}
+
+Json to_json(const UnmatchedCrossing& u) {
+  return {{"plane", u.plane}, {"other_plane", u.other_plane}, {"point", {u.x, u.y, u.z}}};
+}
+
 const char* branching_name(Branching mode) {
   return mode == Branching::off ? "off" : mode == Branching::all ? "all" : "auto";
 }
 
 Json to_json(const Options& o) {
-  return {{"branching", branching_name(o.branching.mode)},
+  return {{"join_confidence", o.natural.join_confidence},
+          {"dome_confidence", o.natural.dome_confidence},
+          {"smooth_weight", o.natural.smooth_weight},
+          {"branching", branching_name(o.branching.mode)},
           {"cutting", o.branching.cutting},
           {"match_tolerance", o.match_tolerance},
           {"plane_tolerance", o.plane_tolerance},
@@ -108,6 +146,7 @@ std::string report_json(const Report& report, const ReportOrigin& origin) {
   json["lines"] = lines_part(report);
   json["arrangement"] = arrangement_part(report);
   json["branching"] = branching_part(report);
+  json["topology"] = to_json(report.topology);
   json["result"] = result_part(report);
   json["cells"] = to_json(report.cells);
   json["notes"] = report.notes;

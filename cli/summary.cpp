@@ -1,6 +1,18 @@
 #include "summary.h"
 
 namespace crossloft::cli {
+namespace {
+
+void print_topology(Terminal& terminal, const TopologyReport& t) {
+  if (t.handles_before != 0 || t.handles != 0)
+    terminal.print("handles      %u within cells, %u left\n", t.handles_before, t.handles);
+  if (t.joins != 0)
+    terminal.print("joins        %u of sections within cells, the weakest with confidence %.2f\n", t.joins,
+                   t.weakest_join);
+  if (t.refused_joins != 0) terminal.print("not joined   %u, for lack of confidence\n", t.refused_joins);
+}
+
+}  // namespace
 
 void print_summary(Terminal& terminal, const Report& report) {
   for (const std::string& note : report.notes) terminal.say(LogLevel::note, note);
@@ -15,6 +27,7 @@ void print_summary(Terminal& terminal, const Report& report) {
     terminal.print("simplified   %u contour vertices left out, contours moved by up to %.3g\n",
                    report.simplified_vertices, report.simplify_deviation);
   terminal.print("branching    %u samples on %u faces\n", report.branching_samples, report.branching_faces);
+  print_topology(terminal, report.topology);
   terminal.print("flat         %u regions, area %.6g of %.6g\n", report.flat_regions, report.flat_area,
                  report.section_area);
   terminal.print("pinched      %u vertices, %u edges\n", report.pinched_vertices, report.pinched_edges);

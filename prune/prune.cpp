@@ -47,6 +47,25 @@ std::vector<std::uint8_t> take_candidates(const CellComplex& complex, std::vecto
 
 }  // namespace
 
+PruneResult prune(const CellComplex& complex, const CellShape& shape, const PruneOptions& options,
+                  std::span<const JoinWish> wishes) {
+  if (options.mode != PruneMode::natural) {
+    PruneResult result = prune(complex, options.mode);
+    result.natural.before = result.natural.after = count_topology(complex, Ground(complex), result.kept);
+    return result;
+  }
+  PruneResult result;
+  result.r0 = complex.mesh.size();
+  const std::vector<std::uint8_t> r1 = step1(complex);
+  result.r1 = count(r1);
+  NaturalResult natural = prune_naturally(complex, shape, r1, options.natural, wishes);
+  result.kept = std::move(natural.kept);
+  result.r2 = natural.r2;
+  result.r3 = count(result.kept);
+  result.natural = std::move(natural.report);
+  return result;
+}
+
 PruneResult prune(const CellComplex& complex, PruneMode mode) {
   PruneResult result;
   result.r0 = complex.mesh.size();

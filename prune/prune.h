@@ -10,10 +10,13 @@
 #include <vector>
 
 #include "cell_complex.h"
+#include "cell_shape.h"
+#include "natural.h"
 
 namespace crossloft {
 
 enum class PruneMode : std::uint8_t {
+  natural,        ///< the likely solid without handles of its own (natural.h)
   joint,          ///< the largest solid subset of R1
   paper,          ///< the largest solid set of two-plane tetrahedra, then Step 3 with the corrected condition
   paper_literal,  ///< Step 3 as printed, which may close on itself along an edge; for study
@@ -23,14 +26,24 @@ struct PruneResult {
   std::vector<std::uint8_t> kept;  ///< per tetrahedron of R0: 1 in the solid, 0 not
   std::uint32_t r0 = 0;            ///< tetrahedra of R0
   std::uint32_t r1 = 0;  ///< after Step 1: neither an external grounded edge nor an external triangle
-  std::uint32_t r2 = 0;  ///< after Step 2: the largest solid subset (of the two-plane ones in `paper`)
+  std::uint32_t r2 = 0;  ///< after Step 2: the largest solid subset (of the two-plane ones in `paper`);
+                         ///< the cheapest solid in `natural`
   std::uint32_t r3 = 0;  ///< after Step 3: the solid; r2 in `joint`
+  NaturalReport natural;  ///< but for the topology, filled in `natural` only
+};
+
+struct PruneOptions {
+  PruneMode mode = PruneMode::natural;
+  NaturalOptions natural;
 };
 
 /// Prunes. The solid depends on the tetrahedra alone: not on their numbers nor on the order of their
 /// vertices, provided vertex numbers are canonical (Step 3 takes candidates in the order of their sorted
 /// vertices). REQUIRES: verify(complex) (verify.h). Time: linear but for the re-attachment of cut-off parts
 /// of vertex stars (solidity.h), which is short in practice. Memory: some 40 bytes a tetrahedron.
-PruneResult prune(const CellComplex& complex, PruneMode mode = PruneMode::joint);
+PruneResult prune(const CellComplex& complex, const CellShape& shape, const PruneOptions& options,
+                  std::span<const JoinWish> wishes = {});
+/// The modes that measure nothing. REQUIRES: mode is not `natural`.
+PruneResult prune(const CellComplex& complex, PruneMode mode);
 
 }  // namespace crossloft

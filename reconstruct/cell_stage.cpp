@@ -4,11 +4,28 @@
 
 #include <algorithm>
 
+#include "../prune/confidence.h"
 #include "../prune/links.h"
 #include "../prune/verify.h"
+#include "pruning_input.h"
 #include "self_check.h"
 
 namespace crossloft {
+namespace {
+
+void add_up(const CellReport& cell, TopologyReport& sum) {
+  sum.handles += cell.topology.genus;
+  sum.handles_before += cell.genus_before;
+  sum.grown_cells += cell.grown ? 1U : 0U;
+  sum.walls += std::max(cell.topology.outsides, 1U) - 1;
+  sum.voids += cell.topology.voids;
+  for (const JoinReport& join : cell.joins) {
+    ++(join.done ? sum.joins : sum.refused_joins);
+    if (join.done) sum.weakest_join = std::min(sum.weakest_join, join.confidence);
+  }
+}
+
+}  // namespace
 
 std::vector<FaceId> Pipeline::inner_faces(CellId id) const {
   std::vector<FaceId> ids;
@@ -35,6 +52,27 @@ void Pipeline::cover(std::span<const CellFace> faces, std::span<const FaceId> id
       if (pruned.kept[t] != 0 && ground.face != kNone) covered(ground.face)[ground.triangle] = 1;
 }
 
+PruneResult Pipeline::prune_built(CellId id, std::span<const FaceId> ids, std::span<const CellFace> faces,
+                                  const BuiltCell& cell) const {
+  if (options_.mode != PruneMode::natural) return prune(cell.complex, {}, {options_.mode, {}});
+  const std::vector<JoinWish> wishes = cell_wishes(options_.joins, faces, cell);
+  return prune(cell.complex, cell_shape(*arrangement_, id, ids, cell, numbering_), {options_.mode, options_.natural},
+               wishes);
+}
+
+/// Joins by places instead of the cell's vertices.
+void Pipeline::report_topology(const BuiltCell& cell, const NaturalReport& natural, CellReport& report) const {
+  const auto place = [&](std::uint32_t v) { return framed_.grid.from_lattice(numbering_.points[cell.vertices[v]]); };
+  const auto share = [](std::int32_t confidence) { return static_cast<double>(confidence) / kCertain; };
+  report.topology = natural.after;
+  report.genus_before = natural.before.genus;
+  report.grown = natural.grown;
+  report.joins.clear();
+  report.domes.clear();
+  for (const Join& j : natural.joins) report.joins.push_back({place(j.a), place(j.b), share(j.confidence), j.done});
+  for (const std::int32_t c : natural.domes) report.domes.push_back(share(c));
+}
+
 Result<Done> Pipeline::prune_cell(CellId id, CellState& state) {
   const std::vector<FaceId> ids = inner_faces(id);
   const std::vector<CellFace> faces = cell_faces(id, ids);
@@ -47,10 +85,10 @@ Result<Done> Pipeline::prune_cell(CellId id, CellState& state) {
   BuiltCell& cell = *built;
   if (cell.complex.mesh.size() == 0) return Done{};
   Stopwatch watch;
-  PruneResult pruned = prune(cell.complex, options_.mode);
+  PruneResult pruned = prune_built(id, ids, faces, cell);
   const auto good = self_check("pruning", [&] {
-    const bool may_fail =
-        options_.mode == PruneMode::paper_literal;  // its Step 3 breaks solidity, as documented
+    const bool may_fail =  // solidity, as documented
+        options_.mode == PruneMode::paper_literal || options_.mode == PruneMode::natural;
     return verify(cell.complex) && (may_fail || verify(cell.complex, pruned)) ? "" : "a cell is not solid";
   });
   if (!good) return good;
@@ -60,6 +98,7 @@ Result<Done> Pipeline::prune_cell(CellId id, CellState& state) {
   report.tets_r0 = pruned.r0, report.tets_r1 = pruned.r1, report.tets_r2 = pruned.r2,
   report.tets_r3 = pruned.r3;
   report.bad_links = census_links(cell.complex, pruned.kept).bad_links();
+  report_topology(cell, pruned.natural, report);
   state.pruning_seconds += watch.lap();
   state.delaunay_seconds = cell.delaunay_seconds;
   cover(faces, ids, cell, pruned);
@@ -157,6 +196,7 @@ void Pipeline::finish_cells() {
     if (cell.report.tets_r0 == 0) continue;
     report.cells.push_back(cell.report);
     report.bad_links += cell.report.bad_links;
+    add_up(cell.report, report.topology);
     report.seconds.delaunay += cell.delaunay_seconds;
     report.seconds.pruning += cell.pruning_seconds;
     tets_.insert(tets_.end(), cell.tets.begin(), cell.tets.end());

@@ -75,6 +75,9 @@ class Pipeline {
   std::vector<CellFace> cell_faces(CellId id, std::span<const FaceId> ids) const;
   Result<Done> prune_due_cells();
   Result<Done> prune_cell(CellId id, CellState& state);
+  PruneResult prune_built(CellId id, std::span<const FaceId> ids, std::span<const CellFace> faces,
+                          const BuiltCell& cell) const;
+  void report_topology(const BuiltCell& cell, const NaturalReport& natural, CellReport& report) const;
   void cover(std::span<const CellFace> faces, std::span<const FaceId> ids, const BuiltCell& cell,
              const PruneResult& pruned);
   bool may_take_samples(std::span<const FaceId> ids, std::span<const CellFace> faces) const;

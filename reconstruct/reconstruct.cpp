@@ -12,6 +12,20 @@ namespace {
 /// Volumes and areas of coordinates beyond this would overflow a double.
 constexpr double kLargestCoordinate = 1e100;
 
+const char* name_of(PruneMode mode) {
+  switch (mode) {
+    case PruneMode::natural:
+      return "natural";
+    case PruneMode::joint:
+      return "joint";
+    case PruneMode::paper:
+      return "paper";
+    case PruneMode::paper_literal:
+      return "paper-literal";
+  }
+  return "";
+}
+
 }  // namespace
 
 Result<Done> Pipeline::check_input() const {
@@ -110,7 +124,7 @@ void Pipeline::explain_empty() {
 Result<Reconstruction> Pipeline::run() {
   Stopwatch total;
   Report& report = result_.report;
-  report.mode = options_.mode == PruneMode::joint ? "joint" : options_.mode == PruneMode::paper ? "paper" : "paper-literal";
+  report.mode = name_of(options_.mode);
   if (auto done = frame(); !done) return done.error();
   if (!framed_.planes.empty())
     for (const auto step : {&Pipeline::arrange, &Pipeline::triangulate_faces, &Pipeline::fill_cells, &Pipeline::glue_cells}) {

@@ -6,6 +6,7 @@
 #include "../geom/result.h"
 #include "../prune/prune.h"
 #include "branching_options.h"
+#include "join_request.h"
 #include "report.h"
 #include "surface.h"
 
@@ -13,7 +14,9 @@ namespace crossloft {
 
 /// Tolerances are fractions of the diagonal of all contours' bounding box.
 struct Options {
-  PruneMode mode = PruneMode::joint;
+  PruneMode mode = PruneMode::natural;
+  NaturalOptions natural;          ///< for the mode natural, as are
+  std::vector<JoinRequest> joins;  ///< what the user says of single contours
   BranchingOptions branching;
   double match_tolerance = 2e-3;  ///< crossings of two sections on their common line that are taken as one
   double plane_tolerance = 1e-3;  ///< a vertex further from its plane is an error

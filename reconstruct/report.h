@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "../geom/ids.h"
+#include "../geom/vec3.h"
+#include "../prune/cell_topology.h"
 
 namespace crossloft {
 
@@ -27,15 +29,38 @@ struct PlaneReport {
   double off_plane = 0;               ///< largest input distance of a vertex from its plane
 };
 
+/// Two parts of a cell's solid that became one, or did not for lack of confidence (prune/joins.h).
+struct JoinReport {
+  Vec3 a, b;              ///< a section vertex of each
+  double confidence = 0;  ///< -1..1, of the weakest tetrahedron of the best way
+  bool done = false;
+};
+
 /// One cell of the arrangement that holds section vertices.
 struct CellReport {
   std::uint32_t faces = 0, vertices = 0;
   std::uint32_t tets_r0 = 0, tets_r1 = 0, tets_r2 = 0, tets_r3 = 0;  ///< after each step of pruning
   std::uint32_t bad_links = 0;        ///< vertices whose extended link is neither a disk nor a sphere
+  CellTopology topology;              ///< of the solid with the sections
+  std::uint32_t genus_before = 0;     ///< handles within the cell before growth
+  bool grown = false;                 ///< mode natural: growth had to decide
+  std::vector<JoinReport> joins;      ///< mode natural
+  std::vector<double> domes;          ///< confidences of the walls and domes that growth closed
 };
 
 struct StageSeconds {
   double input = 0, arrangement = 0, crossings = 0, faces = 0, branching = 0, delaunay = 0, pruning = 0, gluing = 0, total = 0;
+};
+
+/// Sums over the cells.
+struct TopologyReport {
+  std::uint32_t handles = 0;         ///< genus of cells: handles that the sections do not ask for
+  std::uint32_t handles_before = 0;  ///< the same before growth took them out
+  std::uint32_t grown_cells = 0;
+  std::uint32_t joins = 0, refused_joins = 0;  ///< of sections within a cell
+  double weakest_join = 1;                     ///< confidence
+  std::uint32_t walls = 0;                     ///< parts of the outside beyond one a cell
+  std::uint32_t voids = 0;                     ///< closed surfaces within one cell
 };
 
 struct Report {
@@ -67,6 +92,7 @@ struct Report {
   std::uint32_t solid_tets = 0, surface_triangles = 0, surface_vertices = 0;
   std::uint32_t bad_links = 0;
   double volume = 0;
+  TopologyReport topology;
   std::vector<std::string> notes;     ///< everything the user should be told, one sentence each
   std::vector<std::string> warnings;
 };

@@ -1,0 +1,200 @@
+// Does a mode of pruning find the topology of a known solid? Cuts the solids of inspect/solids.h with seeded sets
+// of planes, all contour vertices kept, reconstructs in every mode and compares with the mesh that was cut.
+//
+//   bench_topology [--seeds N] [--case TEXT] [--rays N] [--verbose] [MODE...]
+//                  default: 10 seeds, all cases, 128 rays, modes joint and natural
+//
+// A run is right if its genus (summed) and its number of surface components are those of the mesh. Per case and
+// mode: right runs, means of intersection over union and of the volume's error, the worst loss of IoU against the
+// first mode in any run, and the time of pruning as a part of the Delaunay triangulations of the same cells.
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "../inspect/check.h"
+#include "../inspect/compare.h"
+#include "../inspect/slice.h"
+#include "../inspect/solids.h"
+#include "../inspect/surface_topology.h"
+#include "../reconstruct/reconstruct.h"
+
+namespace {
+
+using namespace crossloft;
+using Planes = std::function<std::vector<CuttingPlane>(const Bounds&, std::uint64_t seed)>;
+
+struct Case {
+  std::string name;
+  std::function<Surface()> solid;
+  Planes planes;
+};
+
+Planes random_set(std::uint32_t count) {
+  return [count](const Bounds& box, std::uint64_t seed) { return random_planes(box, count, seed); };
+}
+Planes fan_set(std::uint32_t count) {
+  return [count](const Bounds& box, std::uint64_t seed) { return fan_planes(box, count, seed); };
+}
+
+std::vector<Case> all_cases() {
+  const auto ring = [] { return torus(1, 0.4, 96, 48); };
+  return {{"torus by 10", ring, random_set(10)},
+          {"torus by 16", ring, random_set(16)},
+          {"torus by 45", ring, random_set(45)},
+          {"genus 2 by 24", [] { return genus2_solid(); }, random_set(24)},
+          {"genus 2 by fan 24", [] { return genus2_solid(); }, fan_set(24)},
+          {"genus 3 by 30", [] { return genus3_solid(); }, random_set(30)},
+          {"trefoil by 25", [] { return trefoil_solid(); }, random_set(25)},
+          {"trefoil by 40", [] { return trefoil_solid(); }, random_set(40)},
+          {"vessels by 20", [] { return vessel_solid(); }, random_set(20)},
+          {"vessels by fan 24", [] { return vessel_solid(); }, fan_set(24)},
+          {"gyroid by 40", [] { return gyroid_solid(); }, random_set(40)},
+          {"nested shells by 12", [] { return nested_shells(); }, random_set(12)}};
+}
+
+struct Shape {
+  std::int64_t genus = 0;
+  std::size_t components = 0;
+  double volume = 0;
+
+  bool same(const Shape& o) const { return genus == o.genus && components == o.components; }
+};
+
+/// By index only: crossings are not asked for here.
+Shape shape_of(const Surface& surface) {
+  CheckReport report;
+  check_topology(surface, report);
+  Shape shape{0, report.components.size(), 0};
+  for (const ComponentReport& c : report.components) shape.genus += 1 - c.euler / 2;
+  for (const auto& t : surface.triangles)
+    shape.volume += dot(surface.points[t[0]], cross(surface.points[t[1]], surface.points[t[2]])) / 6;
+  return shape;
+}
+
+struct Run {
+  Shape shape;
+  double iou = 0, volume_error = 0, pruning = 0, delaunay = 0;
+  Report report;
+};
+
+struct Arguments {
+  std::uint64_t seeds = 10;
+  std::uint32_t rays = 128;
+  std::string only;
+  bool verbose = false;
+  std::vector<PruneMode> modes;
+  Options options;
+};
+
+bool reconstruct_one(const Surface& mesh, const Shape& truth, const Sections& sections, const Options& options,
+                     std::uint32_t rays, Run& run) {
+  const auto result = reconstruct(sections, options);
+  if (!result) {
+    std::fprintf(stderr, "error: %s\n", result.error().message.c_str());
+    return false;
+  }
+  run.shape = shape_of(result->surface);
+  CompareOptions compared;
+  compared.rays = rays;
+  compared.samples = 0;
+  run.iou = compare(mesh, result->surface, compared).iou;
+  run.volume_error = std::fabs(run.shape.volume / truth.volume - 1);
+  run.pruning = result->report.seconds.pruning;
+  run.delaunay = result->report.seconds.delaunay;
+  run.report = result->report;
+  return true;
+}
+
+const char* name_of(PruneMode mode) {
+  return mode == PruneMode::joint ? "joint" : mode == PruneMode::paper ? "paper" : mode == PruneMode::natural ? "natural" : "paper-literal";
+}
+
+void print_summary(const std::string& name, PruneMode mode, const Shape& truth, const std::vector<Run>& runs,
+                   const std::vector<Run>& first) {
+  double iou = 0, error = 0, pruning = 0, delaunay = 0, worst = 0;
+  int right = 0;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    right += runs[i].shape.same(truth);
+    iou += runs[i].iou;
+    error += runs[i].volume_error;
+    pruning += runs[i].pruning;
+    delaunay += runs[i].delaunay;
+    worst = std::min(worst, runs[i].iou - first[i].iou);
+  }
+  const double n = static_cast<double>(runs.size());
+  std::printf("%-24s %-8s %2d of %2zu  iou %.4f worst %+.4f  volume error %.4f  pruning/delaunay %.2f\n", name.c_str(),
+              name_of(mode), right, runs.size(), iou / n, worst, error / n, pruning / delaunay);
+  std::fflush(stdout);
+}
+
+bool run_case(const Case& c, const Arguments& arguments) {
+  const Surface mesh = c.solid();
+  const Shape truth = shape_of(mesh);
+  std::vector<std::vector<Run>> runs(arguments.modes.size());
+  for (std::uint64_t seed = 1; seed <= arguments.seeds; ++seed) {
+    const auto sections = slice(mesh, c.planes(bounds_of(mesh.points), seed));
+    if (!sections) return false;
+    for (std::size_t m = 0; m < arguments.modes.size(); ++m) {
+      Options options = arguments.options;
+      options.mode = arguments.modes[m];
+      Run run;
+      if (!reconstruct_one(mesh, truth, *sections, options, arguments.rays, run)) return false;
+      const bool right = run.shape.same(truth);
+      if (arguments.verbose || !right)
+        std::printf("  seed %2llu %-8s genus %lld of %lld, components %zu of %zu, iou %.4f, flat %.2g\n",
+                    static_cast<unsigned long long>(seed), name_of(options.mode), static_cast<long long>(run.shape.genus),
+                    static_cast<long long>(truth.genus), run.shape.components, truth.components, run.iou,
+                    run.report.flat_area / run.report.section_area);
+      runs[m].push_back(std::move(run));
+    }
+  }
+  for (std::size_t m = 0; m < runs.size(); ++m) print_summary(c.name, arguments.modes[m], truth, runs[m], runs[0]);
+  return true;
+}
+
+bool read_mode(const std::string& word, Arguments& arguments) {
+  for (const PruneMode mode : {PruneMode::joint, PruneMode::paper, PruneMode::paper_literal, PruneMode::natural})
+    if (word == name_of(mode)) {
+      arguments.modes.push_back(mode);
+      return true;
+    }
+  return false;
+}
+
+bool read_arguments(int count, char** words, Arguments& arguments) {
+  for (int i = 1; i < count; ++i) {
+    const std::string word = words[i];
+    const bool last = i + 1 == count;
+    if (word == "--verbose") {
+      arguments.verbose = true;
+    } else if (word == "--seeds" && !last) {
+      arguments.seeds = std::strtoull(words[++i], nullptr, 10);
+    } else if (word == "--rays" && !last) {
+      arguments.rays = static_cast<std::uint32_t>(std::strtoul(words[++i], nullptr, 10));
+    } else if (word == "--case" && !last) {
+      arguments.only = words[++i];
+    } else if (!read_mode(word, arguments)) {
+      return false;
+    }
+  }
+  if (arguments.modes.empty()) arguments.modes = {PruneMode::joint, PruneMode::natural};
+  return true;
+}
+
+}  // namespace
+
+int main(int count, char** words) {
+  Arguments arguments;
+  if (!read_arguments(count, words, arguments)) {
+    std::fprintf(stderr, "usage: bench_topology [--seeds N] [--case TEXT] [--rays N] [--verbose] [MODE...]\n");
+    return 2;
+  }
+  for (const Case& c : all_cases())
+    if (c.name.find(arguments.only) != std::string::npos && !run_case(c, arguments)) return 1;
+  return 0;
+}

@@ -1,0 +1,28 @@
+#pragma once
+/// How likely a tetrahedron is part of the solid, from distances alone: the nearest-point rule of Amini,
+/// Boissonnat and Memari made soft. A point nearer to the sections than to the rest of the cell's boundary
+/// would be inside by that rule.
+
+#include <cstdint>
+#include <vector>
+
+#include "cell_complex.h"
+#include "cell_shape.h"
+
+namespace crossloft {
+
+/// Confidences are integers, kCertain = 1: equal on every platform and in any order of summation.
+inline constexpr std::int32_t kCertain = 1 << 20;
+
+/// The mean over five points p of the tetrahedron (its centroid, 0.4, and the middles from there to its
+/// vertices, 0.15 each) of (d_out - d_in) / (d_out + d_in), where d_in is the distance to the sections and
+/// d_out that to the rest of the boundary: +kCertain on a section, -kCertain on the boundary outside.
+///
+/// Distances to faces are heights, told apart by whether the foot is in the section. Those to contours are
+/// taken to the tetrahedron's own vertices and grounded edges: in a Delaunay triangulation of the contours
+/// the nearest ones are there or not far away. External tetrahedra (`wanted` 0) are left at -kCertain.
+/// O(faces) a tetrahedron, with a handful of questions to the sections.
+std::vector<std::int32_t> confidences(const CellComplex& complex, const CellShape& shape,
+                                      const std::vector<std::uint8_t>& wanted);
+
+}  // namespace crossloft

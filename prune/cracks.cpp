@@ -1,0 +1,79 @@
+#include "cracks.h"
+
+#include <algorithm>
+#include <array>
+
+#include "cell_topology.h"
+#include "disjoint_sets.h"
+
+namespace crossloft {
+namespace {
+
+using Key = std::array<std::uint32_t, 4>;
+using Crack = std::vector<std::uint32_t>;
+
+Key key_of(const CellComplex& complex, std::uint32_t t) {
+  Key key = complex.mesh.vertices[t];
+  std::sort(key.begin(), key.end());
+  return key;
+}
+
+/// Parts of what is allowed but not kept; tetrahedra that share a vertex (`wide`) or a facet are in one part.
+std::vector<Crack> find_cracks(const CellComplex& complex, const std::vector<std::uint8_t>& allowed,
+                               const std::vector<std::uint8_t>& kept, bool wide) {
+  const std::uint32_t n = complex.mesh.size();
+  std::vector<std::uint32_t> open;
+  for (std::uint32_t t = 0; t < n; ++t)
+    if (allowed[t] != 0 && kept[t] == 0) open.push_back(t);
+  std::sort(open.begin(), open.end(),
+            [&](std::uint32_t a, std::uint32_t b) { return key_of(complex, a) < key_of(complex, b); });
+  DisjointSets parts(open.size());
+  std::vector<std::uint32_t> place(n, kNone), at_vertex(complex.vertex_count, kNone);
+  for (std::uint32_t i = 0; i < open.size(); ++i) {
+    place[open[i]] = i;
+    if (wide)
+      for (const std::uint32_t v : complex.mesh.vertices[open[i]]) {
+        if (at_vertex[v] == kNone) at_vertex[v] = i;
+        parts.join(i, at_vertex[v]);
+      }
+  }
+  for (std::uint32_t i = 0; i < open.size(); ++i)
+    for (const std::uint32_t other : complex.mesh.neighbours[open[i]])
+      if (other != kNone && place[other] != kNone) parts.join(i, place[other]);
+  std::vector<Crack> cracks;
+  std::vector<std::uint32_t> number(open.size(), kNone);
+  for (std::uint32_t i = 0; i < open.size(); ++i) {
+    std::uint32_t& k = number[parts.find(i)];
+    if (k == kNone) {
+      k = static_cast<std::uint32_t>(cracks.size());
+      cracks.emplace_back();
+    }
+    cracks[k].push_back(open[i]);
+  }
+  return cracks;
+}
+
+/// The solid is as it was but for what is filled.
+bool is_as_good(const CellTopology& now, const CellTopology& before) {
+  return now.genus <= before.genus && now.voids <= before.voids && now.bodies == before.bodies &&
+         now.outsides <= before.outsides;
+}
+
+}  // namespace
+
+void refill_cracks(const CellComplex& complex, const Ground& ground, const std::vector<std::uint8_t>& allowed,
+                   std::vector<std::uint8_t>& kept) {
+  CellTopology before = count_topology(complex, ground, kept);
+  for (const bool wide : {true, false})
+    for (const Crack& crack : find_cracks(complex, allowed, kept, wide)) {
+      for (const std::uint32_t t : crack) kept[t] = 1;
+      const CellTopology now = count_topology(complex, ground, kept);
+      if (is_as_good(now, before)) {
+        before = now;
+      } else {
+        for (const std::uint32_t t : crack) kept[t] = 0;
+      }
+    }
+}
+
+}  // namespace crossloft

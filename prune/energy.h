@@ -1,0 +1,29 @@
+#pragma once
+/// What a solid costs: a small surface, and volume where the sections make it likely.
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "cell_complex.h"
+#include "cell_shape.h"
+
+namespace crossloft {
+
+struct EnergyWeights {
+  double smooth = 1;    ///< of the surface's area
+  double volume = 8;    ///< of the volume times its confidence, over the cell's size
+  double offset = 0.6;  ///< added to every confidence: in doubt there is solid
+};
+
+/// The subset of R1 that has the least
+///     smooth area(surface within the cell) - volume sum over tetrahedra of (confidence + offset) volume / size,
+/// size = the cube root of the volume of the cell's vertices' hull, among those that contain all tetrahedra
+/// that stand on the sections; the smallest if there are several, so it is unique. A minimum cut between
+/// neighbours (min_cut.h) with capacities rounded to integers.
+/// REQUIRES: confidences as in confidence.h; r1[t] = 0 for tetrahedra that can't be kept.
+std::vector<std::uint8_t> cheapest_solid(const CellComplex& complex, const CellShape& shape,
+                                         const std::vector<std::uint8_t>& r1,
+                                         std::span<const std::int32_t> confidence, const EnergyWeights& weights);
+
+}  // namespace crossloft

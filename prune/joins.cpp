@@ -1,0 +1,93 @@
+#include "joins.h"
+
+#include <algorithm>
+#include <array>
+
+#include "disjoint_sets.h"
+
+namespace crossloft {
+namespace {
+
+/// Sets of ground triangles, then tetrahedra: a set has a ground triangle iff its root is one.
+class Bodies {
+ public:
+  Bodies(const CellComplex& complex, const Ground& ground)
+      : ground_(ground.size()),
+        sets_(std::size_t{ground.size()} + complex.mesh.size()),
+        names_(part_names(complex, ground)) {
+    for (std::uint32_t g = 0; g < ground.size(); ++g) sets_.join(g, ground.part(g));
+  }
+
+  std::uint32_t tet(std::uint32_t t) const { return ground_ + t; }
+
+  void join(std::uint32_t a, std::uint32_t b, std::int32_t confidence) {
+    a = sets_.find(a);
+    b = sets_.find(b);
+    if (a == b) return;
+    if (std::max(a, b) < ground_) {
+      const auto [low, high] = std::minmax(names_[a], names_[b]);
+      joins_.push_back({low, high, confidence, true});
+      names_[std::min(a, b)] = low;
+    }
+    sets_.join(a, b);
+  }
+
+  std::vector<Join> take() { return std::move(joins_); }
+
+ private:
+  std::uint32_t ground_;
+  DisjointSets sets_;
+  std::vector<std::uint32_t> names_;
+  std::vector<Join> joins_;
+};
+
+}  // namespace
+
+std::vector<std::uint32_t> part_names(const CellComplex& complex, const Ground& ground) {
+  std::vector<std::uint32_t> names(ground.size(), kNone);
+  for (std::uint32_t g = 0; g < ground.size(); ++g) {
+    const Facet& f = ground.facet(g);
+    std::uint32_t& name = names[ground.part(g)];
+    for (const std::uint8_t slot : kFacetSlots[f.facet])
+      name = std::min(name, complex.mesh.vertices[f.tet][slot]);
+  }
+  return names;
+}
+
+std::vector<std::uint32_t> by_confidence(const CellComplex& complex, const std::vector<std::uint8_t>& chosen,
+                                         std::span<const std::int32_t> confidence) {
+  struct Entry {
+    std::int32_t confidence;
+    std::uint32_t tet;
+    std::array<std::uint32_t, 4> key;
+  };
+  std::vector<Entry> entries;
+  for (std::uint32_t t = 0; t < chosen.size(); ++t) {
+    if (chosen[t] == 0) continue;
+    entries.push_back({confidence[t], t, complex.mesh.vertices[t]});
+    std::sort(entries.back().key.begin(), entries.back().key.end());
+  }
+  std::sort(entries.begin(), entries.end(), [](const Entry& x, const Entry& y) {
+    return x.confidence != y.confidence ? x.confidence > y.confidence : x.key < y.key;
+  });
+  std::vector<std::uint32_t> order;
+  for (const Entry& e : entries) order.push_back(e.tet);
+  return order;
+}
+
+std::vector<Join> find_joins(const CellComplex& complex, const Ground& ground, const std::vector<std::uint8_t>& kept,
+                             std::span<const std::int32_t> confidence) {
+  Bodies bodies(complex, ground);
+  std::vector<std::uint8_t> in(kept.size(), 0);
+  for (const std::uint32_t t : by_confidence(complex, kept, confidence)) {
+    in[t] = 1;
+    for (unsigned i = 0; i < 4; ++i) {
+      const std::uint32_t other = complex.mesh.neighbours[t][i];
+      if (other != kNone && in[other] != 0) bodies.join(bodies.tet(t), bodies.tet(other), confidence[t]);
+      if (ground.is_ground(t, i)) bodies.join(bodies.tet(t), ground.at(t, i), confidence[t]);
+    }
+  }
+  return bodies.take();
+}
+
+}  // namespace crossloft

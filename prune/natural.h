@@ -1,0 +1,42 @@
+#pragma once
+/// The mode `natural`: the solid between the sections that looks likely and has no handle of its own.
+
+#include <cstdint>
+#include <vector>
+
+#include "cell_complex.h"
+#include "cell_shape.h"
+#include "cell_topology.h"
+#include "simple_growth.h"
+
+namespace crossloft {
+
+/// Confidences and weights as the user sees them: -1..1, ratios.
+struct NaturalOptions {
+  double join_confidence = -0.1;  ///< two sections are joined where the best way between them has this
+  double dome_confidence = -0.4;  ///< a part of the outside is closed off where the last piece has this
+  double smooth_weight = 1;       ///< of a small surface against a likely volume
+};
+
+/// What happened in a cell.
+struct NaturalReport {
+  CellTopology before;  ///< of what the cut leaves
+  CellTopology after;
+  bool grown = false;               ///< whether growth had to decide
+  std::vector<Join> joins;          ///< done, the most confident first or in the order of growth; then refused ones
+  std::vector<std::int32_t> domes;  ///< confidences of those that growth closed
+};
+
+struct NaturalResult {
+  std::vector<std::uint8_t> kept;
+  std::uint32_t r2 = 0;  ///< tetrahedra that the cut leaves
+  NaturalReport report;
+};
+
+/// (1) Confidences of the tetrahedra of R1 (confidence.h). (2) The cheapest subset of R1 (energy.h). (3) Where that
+/// has handles, holes, domes or joins that are not sure: growth from the sections within it by moves that make no
+/// handle (simple_growth.h), and its cracks filled. The result depends on the tetrahedra and vertex numbers alone.
+NaturalResult prune_naturally(const CellComplex& complex, const CellShape& shape, const std::vector<std::uint8_t>& r1,
+                              const NaturalOptions& options, std::span<const JoinWish> wishes);
+
+}  // namespace crossloft

@@ -1,0 +1,71 @@
+#include "outside.h"
+
+#include <algorithm>
+#include <array>
+
+#include "disjoint_sets.h"
+
+namespace crossloft {
+namespace {
+
+struct EdgeUse {
+  std::uint32_t a, b, tet;
+  friend auto operator<=>(const EdgeUse&, const EdgeUse&) = default;
+};
+
+/// Tetrahedra that share an edge share a part; those with a common facet have one, too.
+DisjointSets parts_of(const CellComplex& complex, const std::vector<std::uint8_t>& kept) {
+  std::vector<EdgeUse> uses;
+  for (std::uint32_t t = 0; t < kept.size(); ++t) {
+    if (kept[t] != 0) continue;
+    for (const auto& ends : kEdgeSlots) {
+      const std::uint32_t a = complex.mesh.vertices[t][ends[0]], b = complex.mesh.vertices[t][ends[1]];
+      uses.push_back({std::min(a, b), std::max(a, b), t});
+    }
+  }
+  std::sort(uses.begin(), uses.end());
+  DisjointSets parts(kept.size());
+  for (std::size_t i = 1; i < uses.size(); ++i)
+    if (uses[i].a == uses[i - 1].a && uses[i].b == uses[i - 1].b) parts.join(uses[i].tet, uses[i - 1].tet);
+  return parts;
+}
+
+}  // namespace
+
+void OpeningOf::add(std::uint32_t t) {
+  for (unsigned i = 0; i < 4 && kind_ != Opening::wide; ++i) {
+    if (complex_.mesh.neighbours[t][i] != kNone || complex_.facets[t][i] == FacetKind::internal) continue;
+    if (complex_.facets[t][i] == FacetKind::free) {
+      kind_ = Opening::wide;
+      continue;
+    }
+    std::vector<std::uint64_t> face(complex_.words, ~std::uint64_t{0});
+    for (const std::uint8_t slot : kFacetSlots[i])
+      for (std::uint32_t w = 0; w < complex_.words; ++w)
+        face[w] &= complex_.faces_of(complex_.mesh.vertices[t][slot])[w];
+    if (kind_ == Opening::none) {
+      kind_ = Opening::hole;
+      face_ = std::move(face);
+    } else if (face != face_) {
+      kind_ = Opening::wide;
+    }
+  }
+}
+
+bool has_dome(const CellComplex& complex, const std::vector<std::uint8_t>& kept) {
+  DisjointSets parts = parts_of(complex, kept);
+  std::vector<std::uint32_t> number(kept.size(), kNone);
+  std::vector<OpeningOf> openings;
+  for (std::uint32_t t = 0; t < kept.size(); ++t) {
+    if (kept[t] != 0) continue;
+    std::uint32_t& n = number[parts.find(t)];
+    if (n == kNone) {
+      n = static_cast<std::uint32_t>(openings.size());
+      openings.emplace_back(complex);
+    }
+    openings[n].add(t);
+  }
+  return std::any_of(openings.begin(), openings.end(), [](const OpeningOf& o) { return o.kind() == Opening::hole; });
+}
+
+}  // namespace crossloft

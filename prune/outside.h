@@ -1,0 +1,35 @@
+#pragma once
+/// Parts of a cell outside of its solid, and what they open to.
+
+#include <cstdint>
+#include <vector>
+
+#include "cell_complex.h"
+
+namespace crossloft {
+
+/// What the outside part behind a wall of the solid opens to.
+enum class Opening : std::uint8_t {
+  none,  ///< nothing: a void in the cell
+  hole,  ///< a hole in the section of one face: its wall is a dome over the hole
+  wide,  ///< several faces, or the space beyond the hull of the cell's vertices
+};
+
+/// Gathers what a part of the outside opens to, one tetrahedron after the other.
+class OpeningOf {
+ public:
+  explicit OpeningOf(const CellComplex& complex) : complex_(complex) {}
+  void add(std::uint32_t t);
+  Opening kind() const { return kind_; }
+
+ private:
+  const CellComplex& complex_;
+  Opening kind_ = Opening::none;
+  std::vector<std::uint64_t> face_;  ///< mask of the one face so far
+};
+
+/// True iff some part of the outside is a hole under a dome. Parts hang together at facets and edges, as gluing leaves
+/// the outside connected along edges. O(n log n).
+bool has_dome(const CellComplex& complex, const std::vector<std::uint8_t>& kept);
+
+}  // namespace crossloft

@@ -1,0 +1,41 @@
+#pragma once
+/// Is a point of a face inside its section? Many questions, answered from the contour cut into rows.
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "cell_complex.h"
+#include "cell_shape.h"
+
+namespace crossloft {
+
+/// The section of one face in the plane that drops the dominant axis of the face's normal. Rounded
+/// coordinates and no ties: for confidences, not for decisions that must be exact.
+class SectionRows {
+ public:
+  using Segment = std::array<double, 4>;  ///< u0, v0, u1, v1
+
+  /// `contour`: every piece of the section's boundary once, in any order.
+  SectionRows(int dropped_axis, std::vector<Segment> contour);
+
+  bool empty() const { return contour_.empty(); }
+  /// Even-odd along the row of p. O(contour pieces in the row), a handful on smooth contours.
+  bool contains(Vec3 p) const;
+
+ private:
+  std::size_t row_of(double v) const;
+
+  int axis_;
+  std::vector<Segment> contour_;      ///< row by row
+  std::vector<std::uint32_t> begin_;  ///< of each row in contour_; one more at the end
+  std::size_t rows_ = 0;
+  double low_ = 0, high_ = 0, rows_per_unit_ = 0;
+};
+
+/// The sections of all faces of a cell that have vertices, from its internal hull triangles.
+/// O(n log n) for n internal triangles.
+std::vector<SectionRows> section_rows(const CellComplex& complex, const CellShape& shape);
+
+}  // namespace crossloft

@@ -1,0 +1,260 @@
+#include "simple_growth.h"
+
+#include <algorithm>
+#include <array>
+#include <queue>
+
+#include "contact.h"
+#include "outside.h"
+
+namespace crossloft {
+namespace {
+
+class SimpleGrowth {
+ public:
+  SimpleGrowth(const CellComplex& complex, const Ground& ground, const std::vector<std::uint8_t>& allowed,
+               std::span<const std::int32_t> confidence, const GrowthLimits& limits)
+      : complex_(complex),
+        ground_(ground),
+        confidence_(confidence),
+        limits_(limits),
+        solid_(complex, ground),
+        rank_(complex.mesh.size(), kNone),
+        listed_(complex.mesh.size(), 0),
+        vertex_of_body_(part_names(complex, ground)) {
+    set_ranks(allowed);
+    find_wished();
+  }
+
+  GrowthResult run() {
+    for (std::uint32_t g = 0; g < ground_.size(); ++g) list(ground_.facet(g).tet);
+    grow();
+    for (bool domes = false;;) {
+      if (retry(domes)) {
+        domes = false;
+      } else if (!domes) {
+        domes = true;
+      } else {
+        break;
+      }
+    }
+    add_refused();
+    result_.kept = solid_.kept();
+    return std::move(result_);
+  }
+
+ private:
+  /// The most confident first within each layer.
+  void set_ranks(const std::vector<std::uint8_t>& allowed) {
+    order_ = by_confidence(complex_, allowed, confidence_);
+    std::stable_sort(order_.begin(), order_.end(),
+                     [&](std::uint32_t a, std::uint32_t b) { return layer(a) < layer(b); });
+    for (std::uint32_t r = 0; r < order_.size(); ++r) rank_[order_[r]] = r;
+  }
+
+  bool is_on_ground(std::uint32_t t) const {
+    for (unsigned i = 0; i < 4; ++i)
+      if (ground_.is_ground(t, i)) return true;
+    return false;
+  }
+
+  /// Those on the ground come first, then those at its inner edges: cells on both sides must close the fans there,
+  /// or the solid falls apart along the edge.
+  int layer(std::uint32_t t) const {
+    if (is_on_ground(t)) return 0;
+    const auto& edges = complex_.edges[t];
+    return std::find(edges.begin(), edges.end(), EdgeKind::internal) != edges.end() ? 1 : 2;
+  }
+
+  /// Ground triangles at the vertices of the wishes: where these are, whatever the solid becomes.
+  void find_wished() {
+    wished_.resize(limits_.wishes.size());
+    for (std::uint32_t g = 0; !wished_.empty() && g < ground_.size(); ++g)
+      for (const std::uint8_t slot : kFacetSlots[ground_.facet(g).facet]) {
+        const std::uint32_t v = complex_.mesh.vertices[ground_.facet(g).tet][slot];
+        for (std::size_t w = 0; w < wished_.size(); ++w) {
+          const JoinWish& wish = limits_.wishes[w];
+          if (std::binary_search(wish.a.begin(), wish.a.end(), v)) wished_[w][0].push_back(g);
+          if (std::binary_search(wish.b.begin(), wish.b.end(), v)) wished_[w][1].push_back(g);
+        }
+      }
+  }
+
+  /// Puts an allowed tetrahedron that is not in the solid yet into the queue.
+  void list(std::uint32_t t) {
+    if (rank_[t] == kNone || listed_[t] != 0 || solid_.has(t)) return;
+    listed_[t] = 1;
+    queue_.push(rank_[t]);
+  }
+
+  void add(std::uint32_t t) {
+    solid_.add(t);
+    for (const std::uint32_t n : complex_.mesh.neighbours[t])
+      if (n != kNone) list(n);
+  }
+
+  /// Adds by simple moves and joins until the queue is empty; puts off what it can't add.
+  void grow() {
+    while (!queue_.empty()) {
+      const std::uint32_t t = order_[queue_.top()];
+      queue_.pop();
+      listed_[t] = 0;
+      if (!try_add(t, false)) put_off_.push_back(rank_[t]);
+    }
+  }
+
+  bool try_add(std::uint32_t t, bool domes) {
+    const Contact contact = solid_.contact(t);
+    if (!contact.is_simple() && !contact.is_plug()) {
+      if (contact.is_dome()) {
+        if (!domes || !may_close(t, contact)) return false;
+        result_.domes.push_back(confidence_[t]);
+      } else if (!join(t, contact)) {
+        return false;
+      }
+    }
+    add(t);
+    return true;
+  }
+
+  /// Tries those put off again, the most confident first. False if none could be added.
+  bool retry(bool domes) {
+    std::vector<std::uint32_t> again;
+    std::swap(again, put_off_);
+    std::sort(again.begin(), again.end());
+    again.erase(std::unique(again.begin(), again.end()), again.end());
+    bool changed = false;
+    for (const std::uint32_t rank : again) {
+      const std::uint32_t t = order_[rank];
+      if (solid_.has(t)) continue;
+      if (try_add(t, domes)) {
+        changed = true;
+        grow();
+      } else {
+        put_off_.push_back(rank);
+      }
+    }
+    return changed;
+  }
+
+  /// The different bodies in a contact, one for each of its parts; empty if two parts are of one body.
+  std::vector<std::uint32_t> bodies_to_join(const Contact& contact) const {
+    std::vector<std::uint32_t> bodies;
+    for (unsigned i = 0; i < 4; ++i)
+      if ((contact.facets >> i & 1U) != 0) bodies.push_back(contact.bodies[i]);
+    std::sort(bodies.begin(), bodies.end());
+    bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
+    if (static_cast<int>(bodies.size()) != contact.parts || contact.loops != 0) bodies.clear();
+    return bodies;
+  }
+
+  /// True if the tetrahedron may join the bodies of its contact; they are then one.
+  bool join(std::uint32_t t, const Contact& contact) {
+    const std::vector<std::uint32_t> bodies = bodies_to_join(contact);
+    if (bodies.size() < 2) return false;
+    bool wanted = false;
+    for (std::size_t w = 0; w < wished_.size(); ++w) {
+      if (!concerns(w, bodies)) continue;
+      if (!limits_.wishes[w].join) return false;
+      wanted = true;
+    }
+    if (!wanted && confidence_[t] < limits_.join) return false;
+    for (std::size_t i = 1; i < bodies.size(); ++i) {
+      std::uint32_t& name = vertex_of_body_[bodies[0]];
+      result_.joins.push_back(named(name, vertex_of_body_[bodies[i]], confidence_[t], true));
+      name = std::min(name, vertex_of_body_[bodies[i]]);
+    }
+    return true;
+  }
+
+  static Join named(std::uint32_t a, std::uint32_t b, std::int32_t confidence, bool done) {
+    return {std::min(a, b), std::max(a, b), confidence, done};
+  }
+
+  /// Whether joining the bodies brings together the two sides of wish w from different bodies.
+  bool concerns(std::size_t w, const std::vector<std::uint32_t>& bodies) {
+    std::array<std::vector<std::uint32_t>, 2> sides;
+    for (std::size_t side = 0; side < 2; ++side)
+      for (const std::uint32_t body : bodies) {
+        const auto& ground = wished_[w][side];
+        if (std::any_of(ground.begin(), ground.end(),
+                        [&](std::uint32_t g) { return solid_.body_of_ground(g) == body; }))
+          sides[side].push_back(body);
+      }
+    return !sides[0].empty() && !sides[1].empty() && (sides[0] != sides[1] || sides[0].size() > 1);
+  }
+
+  /// A dome must not leave a hole within the cell, and over a hole in one section it must be confident enough.
+  /// Walls between wider parts of the outside always are: the sections around them say so.
+  bool may_close(std::uint32_t t, const Contact& contact) {
+    const bool sure = confidence_[t] >= limits_.dome || is_on_ground(t);
+    for (const std::uint32_t start : solid_.outside_around(t, contact)) {
+      const Opening opening = opening_from(start, t);
+      if (opening == Opening::none || (opening == Opening::hole && !sure)) return false;
+    }
+    return true;
+  }
+
+  /// Breadth first through the outside, not through the dome. A part of allowed tetrahedra alone can still be filled:
+  /// it counts as wide.
+  Opening opening_from(std::uint32_t start, std::uint32_t dome) {
+    std::vector<std::uint32_t> seen{start};
+    visited_.resize(complex_.mesh.size());
+    visited_[start] = visited_[dome] = 1;
+    OpeningOf opening(complex_);
+    bool fillable = true;
+    for (std::size_t head = 0; head < seen.size() && opening.kind() != Opening::wide; ++head) {
+      opening.add(seen[head]);
+      fillable &= rank_[seen[head]] != kNone;
+      for (const std::uint32_t n : complex_.mesh.neighbours[seen[head]]) {
+        if (n == kNone || visited_[n] != 0 || solid_.has(n)) continue;
+        visited_[n] = 1;
+        seen.push_back(n);
+      }
+    }
+    for (const std::uint32_t t : seen) visited_[t] = 0;
+    visited_[dome] = 0;
+    return fillable ? Opening::wide : opening.kind();
+  }
+
+  /// The best join of each pair of bodies that was not confident enough.
+  void add_refused() {
+    std::vector<Join> refused;
+    for (const std::uint32_t rank : put_off_) {
+      const std::uint32_t t = order_[rank];
+      const std::vector<std::uint32_t> bodies = bodies_to_join(solid_.contact(t));
+      for (std::size_t i = 1; i < bodies.size(); ++i)
+        refused.push_back(
+            named(vertex_of_body_[bodies[0]], vertex_of_body_[bodies[i]], -confidence_[t], false));
+    }
+    std::sort(refused.begin(), refused.end());
+    const auto same_pair = [](const Join& x, const Join& y) { return x.a == y.a && x.b == y.b; };
+    refused.erase(std::unique(refused.begin(), refused.end(), same_pair), refused.end());
+    for (Join& j : refused) j.confidence = -j.confidence;
+    result_.joins.insert(result_.joins.end(), refused.begin(), refused.end());
+  }
+
+  const CellComplex& complex_;
+  const Ground& ground_;
+  std::span<const std::int32_t> confidence_;
+  const GrowthLimits& limits_;
+  GrowingSolid solid_;
+  std::vector<std::uint32_t> order_;  ///< allowed tetrahedra, the most confident first
+  std::vector<std::uint32_t> rank_;   ///< place in order_, kNone if not allowed
+  std::vector<std::uint8_t> listed_, visited_;
+  std::vector<std::uint32_t> vertex_of_body_;  ///< by body: its smallest section vertex
+  std::vector<std::array<std::vector<std::uint32_t>, 2>> wished_;  ///< by wish and side: ground triangles
+  std::priority_queue<std::uint32_t, std::vector<std::uint32_t>, std::greater<>> queue_;
+  std::vector<std::uint32_t> put_off_;  ///< ranks
+  GrowthResult result_;
+};
+
+}  // namespace
+
+GrowthResult grow_simply(const CellComplex& complex, const Ground& ground,
+                         const std::vector<std::uint8_t>& allowed, std::span<const std::int32_t> confidence,
+                         const GrowthLimits& limits) {
+  return SimpleGrowth(complex, ground, allowed, confidence, limits).run();
+}
+
+}  // namespace crossloft

@@ -1,0 +1,19 @@
+#pragma once
+/// What the user says about the joining of sections.
+
+#include <cstdint>
+
+#include "../geom/ids.h"
+
+namespace crossloft {
+
+/// Two contours of the input that must, or must not, be joined within a cell of the arrangement that both reach. Numbers are
+/// positions in the file: of the plane, and of the contour in it. Mode natural only. A request to join can't do what
+/// the tetrahedra don't allow.
+struct JoinRequest {
+  std::uint32_t plane_a = kNone, contour_a = kNone;
+  std::uint32_t plane_b = kNone, contour_b = kNone;
+  bool join = true;
+};
+
+}  // namespace crossloft

@@ -1,0 +1,64 @@
+#include "pruning_input.h"
+
+#include <algorithm>
+
+namespace crossloft {
+namespace {
+
+Vec3 as_vector(const LatticeVector& v) {
+  return {static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2])};
+}
+
+/// `inward`: the side of the plane's normal that the cell is on.
+FacePlane face_plane(const LatticePlane& plane, double inward) {
+  const Vec3 normal = as_vector(plane.normal);
+  const Vec3 unit = inward / norm(normal) * normal;
+  return {unit, -dot(unit, as_vector(plane.origin))};
+}
+
+/// Local vertices of the cell at the walls of one contour.
+std::vector<std::uint32_t> vertices_of(std::uint32_t plane, std::uint32_t contour, std::span<const CellFace> faces,
+                                       const BuiltCell& cell) {
+  std::vector<std::uint32_t> vertices;
+  for (const CellFace& face : faces)
+    for (const Wall& wall : face.triangulation->walls) {
+      if (wall.source_plane != plane || wall.contour != contour) continue;
+      const auto place = std::lower_bound(cell.vertices.begin(), cell.vertices.end(), face.numbers[wall.a]);
+      vertices.push_back(static_cast<std::uint32_t>(place - cell.vertices.begin()));
+    }
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  return vertices;
+}
+
+}  // namespace
+
+CellShape cell_shape(const Arrangement& arrangement, CellId id, std::span<const FaceId> faces, const BuiltCell& cell,
+                     const Numbering& numbering) {
+  CellShape shape;
+  for (const std::uint32_t number : cell.vertices) {
+    const LatticePoint& p = numbering.points[number];
+    shape.points.push_back({p.x, p.y, p.z});
+  }
+  const auto add = [&](FaceId f) {
+    const double inward = arrangement.cells_of(f)[0] == id ? -1 : 1;
+    shape.faces.push_back(face_plane(arrangement.plane(arrangement.plane_of(f)), inward));
+  };
+  for (const FaceId f : faces) add(f);
+  for (const FaceId f : arrangement.faces_of(id))
+    if (arrangement.on_box(f)) add(f);
+  return shape;
+}
+
+std::vector<JoinWish> cell_wishes(std::span<const JoinRequest> requests, std::span<const CellFace> faces,
+                                  const BuiltCell& cell) {
+  std::vector<JoinWish> wishes;
+  for (const JoinRequest& request : requests) {
+    JoinWish wish{vertices_of(request.plane_a, request.contour_a, faces, cell),
+                  vertices_of(request.plane_b, request.contour_b, faces, cell), request.join};
+    if (!wish.a.empty() && !wish.b.empty()) wishes.push_back(std::move(wish));
+  }
+  return wishes;
+}
+
+}  // namespace crossloft

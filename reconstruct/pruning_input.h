@@ -1,0 +1,25 @@
+#pragma once
+/// What pruning wants to know of a cell beside its tetrahedra: where they are, and what the user asks for.
+
+#include <span>
+#include <vector>
+
+#include "../arrangement/complex.h"
+#include "../prune/cell_shape.h"
+#include "../prune/simple_growth.h"
+#include "cell_builder.h"
+#include "join_request.h"
+#include "numbering.h"
+
+namespace crossloft {
+
+/// The cell in rounded lattice coordinates. `faces`: those with vertices, in the order of the masks; those of the
+/// arrangement's box come after them.
+CellShape cell_shape(const Arrangement& arrangement, CellId id, std::span<const FaceId> faces, const BuiltCell& cell,
+                     const Numbering& numbering);
+
+/// The requests that concern a cell, by its local vertices: a contour's are those of its walls on the cell's faces.
+std::vector<JoinWish> cell_wishes(std::span<const JoinRequest> requests, std::span<const CellFace> faces,
+                                  const BuiltCell& cell);
+
+}  // namespace crossloft
