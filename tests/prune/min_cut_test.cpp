@@ -345,13 +345,19 @@ TEST_CASE("verify rejects what is not a minimum cut with the fewest kept") {
   CHECK(rejects([](MinCut& c) { ++c.value; }));
   CHECK(rejects([](MinCut& c) { --c.value; }));
   CHECK(rejects([](MinCut& c) { --c.flow[1][1]; }));  // not the negative of the other direction
-  CHECK(rejects([](MinCut& c) { c.flow[2][0] += 1, c.flow[3][0] -= 1; }));  // lost at 2
-  CHECK(rejects([](MinCut& c) { c.flow.assign(4, {}), c.value = 0; }));     // not maximal
+  // One unit ends at 2, which is no sink; one starts at 1, which is no source. Values and sides still fit.
+  CHECK(rejects([](MinCut& c) { --c.flow[2][0], ++c.flow[3][0]; }));
+  CHECK(rejects([](MinCut& c) { --c.flow[0][0], ++c.flow[1][0], c.kept[1] = 1; }));
+  CHECK(rejects([](MinCut& c) { c.flow.assign(4, {}), c.value = 0; }));  // not maximal
   CHECK(rejects([](MinCut& c) { c.kept.pop_back(); }));
-  MinCut too_much = good;  // along the whole path, one more than 0 -5- 1 takes
-  for (const auto& [t, i, n, j] :
-       std::vector<std::array<std::uint32_t, 4>>{{0, 0, 1, 0}, {1, 1, 2, 1}, {2, 0, 3, 0}})
-    ++too_much.flow[t][i], --too_much.flow[n][j];
-  ++too_much.value;
-  CHECK_FALSE(verify(problem, too_much));
+}
+
+TEST_CASE("verify rejects a flow that goes around in circles beyond the capacity") {
+  const Neighbours graph{{1, 2, kNone, kNone}, {2, 0, kNone, kNone}, {0, 1, kNone, kNone}};
+  const CutProblem problem{graph, {{1, 1, 0, 0}, {1, 1, 0, 0}, {1, 1, 0, 0}}, {0, 0, 0}};
+  MinCut cut = minimum_cut(problem);
+  cut.flow.assign(3, {1, -1, 0, 0});
+  CHECK(verify(problem, cut));
+  cut.flow.assign(3, {2, -2, 0, 0});
+  CHECK_FALSE(verify(problem, cut));
 }
