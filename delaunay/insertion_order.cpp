@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "hilbert_curve.h"
+#include "large_pages.h"
 
 namespace crossloft {
 namespace {
@@ -71,7 +72,8 @@ void sort_by_key(std::vector<Entry>& entries) {
   std::vector<std::array<std::uint32_t, kValues>> counts(kDigits);
   for (const Entry& e : entries)
     for (unsigned d = 0; d < kDigits; ++d) ++counts[d][digit(e, d)];
-  std::vector<Entry> sorted(entries.size());
+  std::vector<Entry> sorted;
+  detail::resize_in_large_pages(sorted, entries.size());
   for (unsigned d = 0; d < kDigits; ++d) {
     auto& place = counts[d];
     if (place[digit(entries[0], d)] == entries.size()) continue;
@@ -92,10 +94,11 @@ void sort_entries(std::vector<Entry>& entries) {
 
 template <std::size_t N, class Point>
 std::vector<std::uint32_t> order(std::span<const Point> points) {
-  std::vector<std::uint32_t> result(points.size());
+  std::vector<std::uint32_t> result;
   if (points.empty()) return result;
   const Grid<N> grid(points);
-  std::vector<Entry> entries(points.size());
+  std::vector<Entry> entries;
+  detail::resize_in_large_pages(entries, points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     const unsigned round = round_of(i);
     std::uint64_t position = detail::HilbertCurve<N>::position(grid.cell(points[i]), kBits);
@@ -103,6 +106,7 @@ std::vector<std::uint32_t> order(std::span<const Point> points) {
     entries[i] = {std::uint64_t{kLastRound - round} << (N * kBits) | position, static_cast<std::uint32_t>(i)};
   }
   sort_entries(entries);
+  detail::resize_in_large_pages(result, points.size());
   for (std::size_t i = 0; i < entries.size(); ++i) result[i] = entries[i].index;
   return result;
 }

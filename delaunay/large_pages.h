@@ -7,8 +7,7 @@
 
 namespace crossloft::detail {
 
-/// Asks the system to back memory not yet used with large pages; no effect but on speed: fewer page faults. Within
-/// the noise for a million points; it is meant for arrays that grow. Does nothing where there is no such thing, or for little memory.
+/// Asks the system to back memory not yet used with large pages; no effect but on speed: fewer page faults.
 void advise_large_pages(void* memory, std::size_t bytes);
 
 /// vector.reserve(count), in large pages.
@@ -20,6 +19,13 @@ void reserve_in_large_pages(std::vector<T>& items, std::size_t count) {
   advise_large_pages(larger.data(), count * sizeof(T));
   larger.insert(larger.end(), items.begin(), items.end());
   items = std::move(larger);
+}
+
+/// vector.resize(count), in large pages.
+template <class T>
+void resize_in_large_pages(std::vector<T>& items, std::size_t count) {
+  reserve_in_large_pages(items, count);
+  items.resize(count);
 }
 
 }  // namespace crossloft::detail

@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "large_pages.h"
+
 namespace crossloft::detail {
 
 /// A sparse set: a vertex is in iff the number noted for it names it, so that clearing forgets all at once.
@@ -12,7 +14,7 @@ class LocalVertices {
  public:
   /// For vertices below `count` and the ghost.
   void make_room(std::size_t count) {
-    if (number_.size() <= count) number_.resize(count + 1);
+    if (number_.size() <= count) resize_in_large_pages(number_, count + 1);
   }
   void clear() { size_ = 0; }
   std::size_t size() const { return size_; }

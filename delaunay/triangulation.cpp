@@ -6,6 +6,7 @@
 
 #include "delaunay3.h"
 #include "insertion_order.h"
+#include "large_pages.h"
 #include "regular3.h"
 #include "vec3_predicates.h"
 #include "weighted_predicates.h"
@@ -17,7 +18,7 @@ namespace {
 template <class Point>
 std::vector<Point> in_order(std::span<const Point> points, const std::vector<std::uint32_t>& order) {
   std::vector<Point> stored;
-  stored.reserve(points.size());
+  detail::reserve_in_large_pages(stored, points.size());
   for (const std::uint32_t i : order) stored.push_back(points[i]);
   return stored;
 }
@@ -33,7 +34,9 @@ void renumber(std::vector<std::array<std::uint32_t, N>>& simplices,
 /// points that it stands for.
 template <class Kept>
 void rename_vertices(Triangulation& result, const std::vector<std::uint32_t>& order, const Kept& kept) {
-  std::vector<std::uint32_t> number(order.size(), kNone);
+  std::vector<std::uint32_t> number;
+  detail::reserve_in_large_pages(number, order.size());
+  number.resize(order.size(), kNone);
   for (std::uint32_t k = 0; k < order.size(); ++k)
     if (const std::uint32_t v = kept(k); v != kNone) number[v] = std::min(number[v], order[k]);
   renumber(result.tets.vertices, number);
