@@ -72,6 +72,7 @@ class DelaunayCore {
 
  private:
   void make_room();
+  void insert_the_rest(std::uint32_t i);
   std::uint32_t insert_in_parallel(unsigned threads) requires(D == 3);
   bool extends_basis(std::uint32_t i) const;
   void wait_for_basis(std::uint32_t i);

@@ -57,8 +57,10 @@ class SimplexStore {
   void reserve(std::size_t cells) {
     reserve_in_large_pages(vertices_, cells);
     reserve_in_large_pages(neighbours_, cells);
-    marks_.reserve(cells);
+    reserve_in_large_pages(marks_, cells);
   }
+  /// Room is left for fewer cells than an insertion may need.
+  bool is_nearly_full() const { return vertices_.capacity() - vertices_.size() < kManyPerInsertion; }
   /// A new free cell.
   std::uint32_t grow() {
     if (vertices_.size() == vertices_.capacity()) [[unlikely]]
@@ -75,6 +77,11 @@ class SimplexStore {
     marks_.resize(cells, Mark::none);
   }
   void set_vertices(std::uint32_t cell, const Simplex<D>& vertices) { vertices_[cell] = vertices; }
+  /// With another vertex in one slot. In memory: whole copies of what was just written in part are slow.
+  void copy_vertices(std::uint32_t from, std::uint32_t to, std::size_t slot, std::uint32_t vertex) {
+    vertices_[to] = vertices_[from];
+    vertices_[to][slot] = vertex;
+  }
   void set_free(std::uint32_t cell) { vertices_[cell] = free_cell(); }
   void link(Facet a, Facet b) {
     redirect(a, b);
@@ -137,6 +144,7 @@ class SimplexStore {
   void release(std::vector<Simplex<D>>& vertices, std::vector<Simplex<D>>& neighbours);
 
  private:
+  static constexpr std::size_t kManyPerInsertion = 4096;
   static constexpr Simplex<D> free_cell() {
     Simplex<D> cell{};
     cell[0] = kNone;
