@@ -187,12 +187,11 @@ std::uint32_t Inserter<D, P, T>::take_cell() {
 template <std::size_t D, class P, class T>
 inline Facet Inserter<D, P, T>::make_cell(const Rim& rim, std::uint32_t e) {
   const std::uint32_t cell = take_cell();
-  const Simplex<D> vertices = replaced(cells_.vertices(rim.inside.cell()), rim.inside.slot(), e);
-  cells_.set_vertices(cell, vertices);
+  cells_.copy_vertices(rim.inside.cell(), cell, rim.inside.slot(), e);
   const Facet base(cell, rim.inside.slot());
   cells_.redirect(rim.outside, base);
   note_incident(cell);
-  if (vertices[D] != kGhost) hint_ = cell;
+  hint_ = cells_.is_ghost(cell) ? hint_ : cell;
   return base;
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 /// One insertion from search to end; included by inserter.h.
 
+#include <iterator>
+
 #include "inserter.h"
 
 namespace crossloft::detail {
@@ -119,10 +121,9 @@ void Inserter<D, P, T>::hide_inner_vertices() {
 template <std::size_t D, class P, class T>
 void Inserter<D, P, T>::give_back() {
   forget_marks();
-  for (std::size_t k = cavity_.size(); k-- > 0;) {
-    cells_.set_free(cavity_[k]);
-    pool_.freed.push_back(cavity_[k]);
-  }
+  for (const std::uint32_t cell : cavity_) cells_.set_free(cell);
+  pool_.freed.insert(pool_.freed.end(), std::make_reverse_iterator(cavity_.end()),
+                     std::make_reverse_iterator(cavity_.begin()));
 }
 
 }  // namespace crossloft::detail
