@@ -118,8 +118,8 @@ inline bool Inserter<D, P, T>::conflicts(std::uint32_t cell, std::uint32_t e) co
       const double determinant = lifted_determinant(row(0), row(1), row(2), row(3));
       if (std::fabs(determinant) > lifted_error_.absolute) [[likely]]
         return determinant > 0;
-      const double size = lifted_size(row(0), row(1), row(2), row(3));
-      if (std::fabs(determinant) > lifted_error_.relative * size) return determinant > 0;
+      const double terms = lifted_terms(row(0), row(1), row(2), row(3));
+      if (std::fabs(determinant) > lifted_error_.relative * terms) return determinant > 0;
     }
   }
   return in_conflict(cell, e);

@@ -20,7 +20,7 @@ inline LiftedRow lifted_row(const LatticePoint& p, const LatticePoint& origin) {
 /// Only the bounds of explicit points alone have a scale; then nothing is blurred.
 inline LiftedError lifted_error(const StaticBounds& bounds) {
   LiftedError error{.absolute = bounds.insphere};
-  if (bounds.scale != 0) error.relative = filters::kInsphereError;
+  if (bounds.scale != 0) error.relative = filters::kTermsError;
   return error;
 }
 

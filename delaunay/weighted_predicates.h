@@ -31,7 +31,7 @@ class WeightedPredicates3 {
     const filters::Lifted l = filters::lifted(points_[i], points_[origin]);
     return {l.d, l.lift};
   }
-  /// Lifts may cancel, so their maxima say nothing.
+  /// Lifts may cancel, so the sizes of the terms say nothing.
   LiftedError lifted_error() const { return {.absolute = bounds_.insphere}; }
   int compare_lex(std::uint32_t a, std::uint32_t b) const {
     const auto order = at(a) <=> at(b);
