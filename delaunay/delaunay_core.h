@@ -40,8 +40,8 @@ class DelaunayCore {
   /// Finite cells and, per slot, their finite neighbours or kNone.
   void finite(std::vector<Simplex<D>>& vertices, std::vector<Simplex<D>>& neighbours) const;
   /// The same without a copy. Nothing else may be asked afterwards but the dimension and what is kept.
-  void release(std::vector<Simplex<D>>& vertices, std::vector<Simplex<D>>& neighbours) {
-    growing_.cells.release(vertices, neighbours);
+  void release(std::vector<Simplex<D>>& vertices, std::vector<Simplex<D>>& neighbours, unsigned threads = 1) {
+    growing_.cells.release(vertices, neighbours, threads);
   }
 
   const P& predicates() const { return predicates_; }

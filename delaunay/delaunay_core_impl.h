@@ -45,18 +45,14 @@ void DelaunayCore<D, P>::insert_the_rest(std::uint32_t i) {
   }
 }
 
-/// Inserts points from the first on; returns how many. A thread is worth its while for many points only, and
-/// rounds as in insertion_order keep what is left over to be inserted soon.
+/// Inserts points from the first on; returns how many. Rounds as in insertion_order keep what is left over to be inserted soon.
 template <std::size_t D, class P>
 std::uint32_t DelaunayCore<D, P>::insert_in_parallel(unsigned threads) requires(D == 3) {
-  constexpr std::uint32_t kPerThread = 5000, kMostThreads = 256;
   const std::uint32_t count = predicates_.size();
-  // More than a few per core gain nothing, and a system that refuses one would end the program.
-  const unsigned cores = std::max(1u, std::thread::hardware_concurrency());
-  threads = std::min({threads, kMostThreads, 4 * cores, count / (4 * kPerThread)});
+  threads = useful_threads(threads, count);
   std::uint32_t done = 0;
   if (threads < 2) return done;
-  for (; done < threads * kPerThread; ++done) insert(done);
+  for (; done < threads * (kPointsPerThread / 4); ++done) insert(done);
   while (done < count && dimension() < 3) insert(done++);
   if (done == count) return done;
   ParallelInsertion<P> parallel(predicates_, growing_, threads);

@@ -60,6 +60,7 @@ struct Everywhere {
 struct CellPool {
   std::vector<std::uint32_t> freed;
   std::uint32_t next = 0, end = 0;
+  bool ran_dry = false;  ///< too few cells for some insertion
 
   std::size_t size() const { return freed.size() + (end - next); }
 };

@@ -22,8 +22,10 @@ bool Inserter<D, P, T>::dig(std::uint32_t e, std::uint32_t start) {
     done = end;
   }
   collect_rim();
-  if (T::kBounded && pool_.size() < rim_.size()) return forget_marks(), false;
-  return true;
+  if (!T::kBounded || pool_.size() >= rim_.size()) return true;
+  pool_.ran_dry = true;
+  forget_marks();
+  return false;
 }
 
 template <std::size_t D, class P, class T>

@@ -10,6 +10,10 @@ namespace crossloft::detail {
 /// Asks the system to back memory not yet used with large pages; no effect but on speed: fewer page faults.
 void advise_large_pages(void* memory, std::size_t bytes);
 
+/// Asks the system to provide the memory at once, not when it is first used: threads can share that work. No effect
+/// on what is in it.
+void provide_pages(void* memory, std::size_t bytes);
+
 /// vector.reserve(count), in large pages.
 template <class T>
 void reserve_in_large_pages(std::vector<T>& items, std::size_t count) {

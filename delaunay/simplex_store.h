@@ -1,6 +1,7 @@
 #pragma once
 /// Storage of a triangulation of dimension D: 32-bit indices, freed cells used again at once.
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -8,6 +9,7 @@
 #include <vector>
 
 #include "../geom/ids.h"
+#include "in_parallel.h"
 #include "large_pages.h"
 
 namespace crossloft::detail {
@@ -71,7 +73,10 @@ class SimplexStore {
     return size() - 1;
   }
   /// So many cells in all, those beyond size() free.
-  void grow_to(std::size_t cells) {
+  void grow_to(std::size_t cells, unsigned threads) {
+    if (cells > vertices_.capacity()) reserve(std::max(cells, 2 * vertices_.size()));
+    provide(vertices_, cells, threads);
+    provide(neighbours_, cells, threads);
     vertices_.resize(cells, free_cell());
     neighbours_.resize(cells, no_neighbours());
     marks_.resize(cells, Mark::none);
@@ -141,7 +146,7 @@ class SimplexStore {
   /// Moves the finite cells to the front, one of the last into each gap, and hands out the arrays: vertices,
   /// and neighbours as plain cell numbers, kNone across the hull. The store is empty afterwards. Uses no
   /// memory of its own.
-  void release(std::vector<Simplex<D>>& vertices, std::vector<Simplex<D>>& neighbours);
+  void release(std::vector<Simplex<D>>& vertices, std::vector<Simplex<D>>& neighbours, unsigned threads = 1);
 
  private:
   static constexpr std::size_t kManyPerInsertion = 4096;
@@ -155,6 +160,14 @@ class SimplexStore {
     codes.fill(Facet().code());
     return codes;
   }
+  /// The memory of items that will come.
+  template <class T>
+  static void provide(std::vector<T>& items, std::size_t count, unsigned threads) {
+    char* const from = reinterpret_cast<char*>(items.data() + items.size());
+    in_slices(threads, (count - items.size()) * sizeof(T), [&](std::size_t begin, std::size_t end, unsigned) {
+      provide_pages(from + begin, end - begin);
+    });
+  }
   void remove_ghosts();
   void close_gaps();
   void move(std::uint32_t from, std::uint32_t to);
@@ -165,12 +178,16 @@ class SimplexStore {
 };
 
 template <std::size_t D>
-void SimplexStore<D>::release(std::vector<Simplex<D>>& vertices, std::vector<Simplex<D>>& neighbours) {
+void SimplexStore<D>::release(std::vector<Simplex<D>>& vertices, std::vector<Simplex<D>>& neighbours,
+                              unsigned threads) {
   marks_ = {};
   remove_ghosts();
   close_gaps();
-  for (Simplex<D>& codes : neighbours_)
-    for (std::uint32_t& code : codes) code = code == Facet().code() ? kNone : Facet::of_code(code).cell();
+  in_slices(threads, neighbours_.size(), [&](std::size_t begin, std::size_t end, unsigned) {
+    for (std::size_t cell = begin; cell < end; ++cell)
+      for (std::uint32_t& code : neighbours_[cell])
+        code = code == Facet().code() ? kNone : Facet::of_code(code).cell();
+  });
   vertices = std::exchange(vertices_, {});
   neighbours = std::exchange(neighbours_, {});
 }

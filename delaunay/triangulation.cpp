@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "delaunay3.h"
+#include "in_parallel.h"
 #include "insertion_order.h"
 #include "large_pages.h"
 #include "regular3.h"
@@ -24,23 +25,26 @@ std::vector<Point> in_order(std::span<const Point> points, const std::vector<std
 }
 
 template <std::size_t N>
-void renumber(std::vector<std::array<std::uint32_t, N>>& simplices,
-              const std::vector<std::uint32_t>& number) {
-  for (auto& simplex : simplices)
-    for (std::uint32_t& v : simplex) v = number[v];
+void renumber(std::vector<std::array<std::uint32_t, N>>& simplices, const std::vector<std::uint32_t>& number,
+              unsigned threads) {
+  detail::in_slices(threads, simplices.size(), [&](std::size_t begin, std::size_t end, unsigned) {
+    for (std::size_t s = begin; s < end; ++s)
+      for (std::uint32_t& v : simplices[s]) v = number[v];
+  });
 }
 
 /// From numbers in `order` to those of the points given. `number` becomes, for each vertex, the lowest of the
 /// points that it stands for.
 template <class Kept>
-void rename_vertices(Triangulation& result, const std::vector<std::uint32_t>& order, const Kept& kept) {
+void rename_vertices(Triangulation& result, const std::vector<std::uint32_t>& order, const Kept& kept,
+                     unsigned threads = 1) {
   std::vector<std::uint32_t> number;
   detail::reserve_in_large_pages(number, order.size());
   number.resize(order.size(), kNone);
   for (std::uint32_t k = 0; k < order.size(); ++k)
     if (const std::uint32_t v = kept(k); v != kNone) number[v] = std::min(number[v], order[k]);
-  renumber(result.tets.vertices, number);
-  renumber(result.triangles.vertices, number);
+  renumber(result.tets.vertices, number, threads);
+  renumber(result.triangles.vertices, number, threads);
   for (std::uint32_t& v : result.chain) v = number[v];
   result.kept.assign(order.size(), kNone);
   for (std::uint32_t k = 0; k < order.size(); ++k)
@@ -57,7 +61,8 @@ Triangulation flat_triangulation(const std::vector<Vec3>& stored, const std::vec
 }  // namespace
 
 Triangulation delaunay_triangulation(std::vector<Vec3> points, unsigned threads) {
-  const std::vector<std::uint32_t> order = insertion_order(std::span<const Vec3>(points));
+  threads = detail::useful_threads(threads, points.size());
+  const std::vector<std::uint32_t> order = insertion_order(std::span<const Vec3>(points), threads);
   points = in_order(std::span<const Vec3>(points), order);
   const Vec3Predicates3 predicates(points);
   Delaunay3 triangulation(predicates);
@@ -66,9 +71,9 @@ Triangulation delaunay_triangulation(std::vector<Vec3> points, unsigned threads)
 
   Triangulation result;
   result.dimension = 3;
-  result.tets = triangulation.release_tet_mesh();
+  result.tets = triangulation.release_tet_mesh(threads);
   points = {};
-  rename_vertices(result, order, [&](std::uint32_t k) { return triangulation.kept(k); });
+  rename_vertices(result, order, [&](std::uint32_t k) { return triangulation.kept(k); }, threads);
   return result;
 }
 
