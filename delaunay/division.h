@@ -111,11 +111,10 @@ struct Territory {
   const std::vector<std::uint16_t>* part_of = nullptr;  ///< by vertex
   std::uint16_t mine = 0;
 
+  bool owns(std::uint32_t vertex) const { return vertex == kGhost || (*part_of)[vertex] == mine; }
   template <std::size_t N>
   bool owns(const std::array<std::uint32_t, N>& vertices) const {
-    for (const std::uint32_t v : vertices)
-      if (v != kGhost && (*part_of)[v] != mine) return false;
-    return true;
+    return std::all_of(vertices.begin(), vertices.end(), [this](std::uint32_t v) { return owns(v); });
   }
 };
 

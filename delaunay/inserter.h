@@ -54,6 +54,7 @@ struct Everywhere {
   bool owns(const std::array<std::uint32_t, N>&) const {
     return true;
   }
+  bool owns(std::uint32_t) const { return true; }
 };
 
 /// Cells that were given back, and a range of cells never used.
@@ -111,6 +112,8 @@ class Inserter {
   static constexpr bool kLifts = D == 3 && LiftsPoints<P>;
   static constexpr bool kNumbersVertices = D == 3 || HasHeights<P>;
 
+  /// The cell of a facet is owned. REQUIRES: so is the one on its other side: all vertices but one are the same.
+  bool owns_beyond(Facet f) const { return territory_.owns(cells_.vertices(f.cell())[f.slot()]); }
   std::uint32_t locate(std::uint32_t e, std::uint32_t start) const;
   std::uint32_t equal_vertex(std::uint32_t cell, std::uint32_t e) const;
   bool is_above(std::uint32_t cell, std::uint32_t e) const;

@@ -52,7 +52,7 @@ bool Inserter<D, P, T>::look_around(std::uint32_t e, std::size_t begin, std::siz
   for (std::size_t k = begin; k < end; ++k)
     for (std::size_t slot = 0; slot <= D; ++slot) {
       const Facet next = cells_.across({cavity_[k], slot});
-      if (T::kBounded && !territory_.owns(cells_.vertices(next.cell()))) {
+      if (T::kBounded && !owns_beyond(next)) {
         if (!in_conflict(next.cell(), e)) continue;
         for (const Facet* f = wave_.begin(); f != way; ++f) cells_.clear_mark(f->cell());
         return false;

@@ -53,7 +53,7 @@ std::uint32_t Inserter<D, P, T>::locate(std::uint32_t e, std::uint32_t start) co
       const Facet next = cells_.across({cell, slot});
       cell = next.cell();
       entered = next.slot();
-      inside = cells_.is_ghost(cell) || !territory_.owns(cells_.vertices(cell));
+      inside = cells_.is_ghost(cell) || !owns_beyond(next);
       break;
     }
   }

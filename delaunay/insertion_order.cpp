@@ -72,7 +72,7 @@ void sort_by_key(std::vector<Entry>& entries, unsigned threads) {
   constexpr unsigned kDigit = 11, kDigits = (64 + kDigit - 1) / kDigit, kValues = 1u << kDigit;
   std::vector<std::array<std::uint32_t, kValues>> places(threads);
   std::vector<Entry> sorted;
-  detail::resize_in_large_pages(sorted, entries.size());
+  detail::resize_in_large_pages(sorted, entries.size(), threads);
   for (unsigned d = 0; d < kDigits; ++d) {
     const auto digit = [d](const Entry& e) { return e.key >> d * kDigit & (kValues - 1); };
     detail::in_slices(threads, entries.size(), [&](std::size_t begin, std::size_t end, unsigned k) {
@@ -105,7 +105,7 @@ std::vector<std::uint32_t> order(std::span<const Point> points, unsigned threads
   if (points.empty()) return result;
   const Grid<N> grid(points);
   std::vector<Entry> entries;
-  detail::resize_in_large_pages(entries, points.size());
+  detail::resize_in_large_pages(entries, points.size(), threads);
   detail::in_slices(threads, points.size(), [&](std::size_t begin, std::size_t end, unsigned) {
     for (std::size_t i = begin; i < end; ++i) {
       const unsigned round = round_of(i);

@@ -75,8 +75,8 @@ class SimplexStore {
   /// So many cells in all, those beyond size() free.
   void grow_to(std::size_t cells, unsigned threads) {
     if (cells > vertices_.capacity()) reserve(std::max(cells, 2 * vertices_.size()));
-    provide(vertices_, cells, threads);
-    provide(neighbours_, cells, threads);
+    provide_pages_for(vertices_, cells, threads);
+    provide_pages_for(neighbours_, cells, threads);
     vertices_.resize(cells, free_cell());
     neighbours_.resize(cells, no_neighbours());
     marks_.resize(cells, Mark::none);
@@ -159,14 +159,6 @@ class SimplexStore {
     Simplex<D> codes{};
     codes.fill(Facet().code());
     return codes;
-  }
-  /// The memory of items that will come.
-  template <class T>
-  static void provide(std::vector<T>& items, std::size_t count, unsigned threads) {
-    char* const from = reinterpret_cast<char*>(items.data() + items.size());
-    in_slices(threads, (count - items.size()) * sizeof(T), [&](std::size_t begin, std::size_t end, unsigned) {
-      provide_pages(from + begin, end - begin);
-    });
   }
   void remove_ghosts();
   void close_gaps();

@@ -17,10 +17,13 @@ namespace {
 
 /// The points in another order.
 template <class Point>
-std::vector<Point> in_order(std::span<const Point> points, const std::vector<std::uint32_t>& order) {
+std::vector<Point> in_order(std::span<const Point> points, const std::vector<std::uint32_t>& order,
+                            unsigned threads = 1) {
   std::vector<Point> stored;
-  detail::reserve_in_large_pages(stored, points.size());
-  for (const std::uint32_t i : order) stored.push_back(points[i]);
+  detail::resize_in_large_pages(stored, points.size(), threads);
+  detail::in_slices(threads, points.size(), [&](std::size_t begin, std::size_t end, unsigned) {
+    for (std::size_t k = begin; k < end; ++k) stored[k] = points[order[k]];
+  });
   return stored;
 }
 
@@ -47,8 +50,10 @@ void rename_vertices(Triangulation& result, const std::vector<std::uint32_t>& or
   renumber(result.triangles.vertices, number, threads);
   for (std::uint32_t& v : result.chain) v = number[v];
   result.kept.assign(order.size(), kNone);
-  for (std::uint32_t k = 0; k < order.size(); ++k)
-    if (const std::uint32_t v = kept(k); v != kNone) result.kept[order[k]] = number[v];
+  detail::in_slices(threads, order.size(), [&](std::size_t begin, std::size_t end, unsigned) {
+    for (std::size_t k = begin; k < end; ++k)
+      if (const std::uint32_t v = kept(static_cast<std::uint32_t>(k)); v != kNone) result.kept[order[k]] = number[v];
+  });
 }
 
 /// Points of a plane or line: the regular triangulation knows what to do, and equal weights change nothing.
@@ -63,7 +68,7 @@ Triangulation flat_triangulation(const std::vector<Vec3>& stored, const std::vec
 Triangulation delaunay_triangulation(std::vector<Vec3> points, unsigned threads) {
   threads = detail::useful_threads(threads, points.size());
   const std::vector<std::uint32_t> order = insertion_order(std::span<const Vec3>(points), threads);
-  points = in_order(std::span<const Vec3>(points), order);
+  points = in_order(std::span<const Vec3>(points), order, threads);
   const Vec3Predicates3 predicates(points);
   Delaunay3 triangulation(predicates);
   triangulation.build_in_given_order(threads);
