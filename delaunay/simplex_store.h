@@ -61,8 +61,10 @@ class SimplexStore {
     reserve_in_large_pages(neighbours_, cells);
     reserve_in_large_pages(marks_, cells);
   }
-  /// Room is left for fewer cells than an insertion may need.
-  bool is_nearly_full() const { return vertices_.capacity() - vertices_.size() < kManyPerInsertion; }
+  /// Room is left for fewer cells than an insertion may need; by so many are few cells doubled early, no oftener.
+  bool is_nearly_full() const {
+    return vertices_.capacity() - vertices_.size() < std::min(kManyPerInsertion, vertices_.size() / 4);
+  }
   /// A new free cell.
   std::uint32_t grow() {
     if (vertices_.size() == vertices_.capacity()) [[unlikely]]
