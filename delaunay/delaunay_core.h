@@ -1,7 +1,7 @@
 #pragma once
-/// A triangulation from its first point on: waits for the first simplex, inserts the rest in a good order, and
-/// hands out the result. Once for the plane and for space, for points (Delaunay) and for sites with heights of
-/// their own (regular); the insertion itself is inserter.h.
+/// A triangulation from its first point on: waits for the first simplex, inserts the rest in a good order,
+/// and hands out the result. Once for the plane and for space, for points (Delaunay) and for sites with
+/// heights of their own (regular); the insertion itself is inserter.h.
 
 #include <algorithm>
 #include <array>

@@ -28,9 +28,10 @@ void DelaunayCore<D, P>::build_in_given_order([[maybe_unused]] unsigned threads)
   if (!growing_.kept.empty()) keep_lowest();
 }
 
-/// Inserts points from i on. The last round of insertion_order, 7/8 of the points, runs along a curve, and each
-/// part of it makes about as many cells a point as those before: from these follows for how many to make room
-/// when it becomes scarce. Half as much again in vain costs addresses, not memory; doubling cost page faults.
+/// Inserts points from i on. The last round of insertion_order, 7/8 of the points, runs along a curve, and
+/// each part of it makes about as many cells a point as those before: from these follows for how many to make
+/// room when it becomes scarce. Half as much again in vain costs addresses, not memory; doubling cost page
+/// faults.
 template <std::size_t D, class P>
 void DelaunayCore<D, P>::insert_the_rest(std::uint32_t i) {
   const std::uint32_t count = predicates_.size(), last_round = std::max(i, count / 8);
@@ -41,11 +42,13 @@ void DelaunayCore<D, P>::insert_the_rest(std::uint32_t i) {
     if (!cells.is_nearly_full()) [[likely]]
       continue;
     const double size = cells.size(), per_point = (size - before) / (i + 1 - last_round);
-    cells.reserve(static_cast<std::size_t>(size + std::clamp(1.5 * per_point * (count - i), size, 31 * size)));
+    cells.reserve(
+        static_cast<std::size_t>(size + std::clamp(1.5 * per_point * (count - i), size, 31 * size)));
   }
 }
 
-/// Inserts points from the first on; returns how many. Rounds as in insertion_order keep what is left over to be inserted soon.
+/// Inserts points from the first on; returns how many. Rounds as in insertion_order keep what is left over to
+/// be inserted soon.
 template <std::size_t D, class P>
 std::uint32_t DelaunayCore<D, P>::insert_in_parallel(unsigned threads) requires(D == 3) {
   const std::uint32_t count = predicates_.size();

@@ -11,8 +11,9 @@
 
 namespace crossloft::detail {
 
-/// Boxes with about equally many points each: space is cut at quantiles of a sample, box by box, along the longest
-/// side of those that were cut least often before: so divisions one after the other have their borders elsewhere.
+/// Boxes with about equally many points each: space is cut at quantiles of a sample, box by box, along the
+/// longest side of those that were cut least often before: so divisions one after the other have their
+/// borders elsewhere.
 class Division {
  public:
   /// By box and axis: how often it was cut.
@@ -101,11 +102,12 @@ void Division::cut(const P& points, std::vector<std::uint32_t>& sample, std::uin
 
 /// What one inserter may change while others are at work: the cells whose vertices all belong to its part.
 ///
-/// *Why no two inserters meet.* A cell is owned by at most one inserter, for as long as the parts stay as they
-/// are, since its vertices never change. An inserter reads the vertices of the cells around those that it owns;
-/// they share two finite vertices with an owned one, so they are not wholly another's: nobody changes their
-/// vertices or marks. It writes into such a cell only the neighbour across a facet of an owned cell, and reads of it
-/// only the neighbour across the hull facet of a ghost (Inserter::in_conflict), behind which two vertices are its own.
+/// *Why no two inserters meet.* A cell is owned by at most one inserter, for as long as the parts stay as
+/// they are, since its vertices never change. An inserter reads the vertices of the cells around those that
+/// it owns; they share two finite vertices with an owned one, so they are not wholly another's: nobody
+/// changes their vertices or marks. It writes into such a cell only the neighbour across a facet of an owned
+/// cell, and reads of it only the neighbour across the hull facet of a ghost (Inserter::in_conflict), behind
+/// which two vertices are its own.
 struct Territory {
   static constexpr bool kBounded = true;
   const std::vector<std::uint16_t>* part_of = nullptr;  ///< by vertex

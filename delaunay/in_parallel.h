@@ -8,8 +8,8 @@
 
 namespace crossloft::detail {
 
-/// How many of the threads asked for are worth their while for so many points. More than a few per core gain nothing,
-/// and a system that refuses one would end the program.
+/// How many of the threads asked for are worth their while for so many points. More than a few per core gain
+/// nothing, and a system that refuses one would end the program.
 inline constexpr unsigned kPointsPerThread = 20'000;
 inline unsigned useful_threads(unsigned wanted, std::size_t points) {
   constexpr unsigned kMost = 256;

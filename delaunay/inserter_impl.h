@@ -40,8 +40,8 @@ bool Inserter<D, P, T>::keep(std::uint32_t i, std::uint32_t vertex) {
 }
 
 /// Visibility walk: it cannot cycle, since the perturbed triangulation is regular. Returns a finite cell that
-/// holds e, or a ghost cell that e is beyond, or the first cell on the way that is not owned. It is in conflict
-/// with e unless it has a vertex equal to e or e is hidden.
+/// holds e, or a ghost cell that e is beyond, or the first cell on the way that is not owned. It is in
+/// conflict with e unless it has a vertex equal to e or e is hidden.
 template <std::size_t D, class P, class T>
 std::uint32_t Inserter<D, P, T>::locate(std::uint32_t e, std::uint32_t start) const {
   std::uint32_t cell = cells_.is_ghost(start) ? cells_.across({start, D}).cell() : start;

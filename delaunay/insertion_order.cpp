@@ -66,8 +66,8 @@ struct Entry {
   std::uint32_t index;
 };
 
-/// Sorts by key, entries of equal keys as they are: least digits first, skipping digits that all share. Each thread
-/// moves a slice of the entries to the places that the slices before leave it.
+/// Sorts by key, entries of equal keys as they are: least digits first, skipping digits that all share. Each
+/// thread moves a slice of the entries to the places that the slices before leave it.
 void sort_by_key(std::vector<Entry>& entries, unsigned threads) {
   constexpr unsigned kDigit = 11, kDigits = (64 + kDigit - 1) / kDigit, kValues = 1u << kDigit;
   std::vector<std::array<std::uint32_t, kValues>> places(threads);
@@ -111,7 +111,8 @@ std::vector<std::uint32_t> order(std::span<const Point> points, unsigned threads
       const unsigned round = round_of(i);
       std::uint64_t position = detail::HilbertCurve<N>::position(grid.cell(points[i]), kBits);
       if (round % 2) position ^= (std::uint64_t{1} << (N * kBits)) - 1;
-      entries[i] = {std::uint64_t{kLastRound - round} << (N * kBits) | position, static_cast<std::uint32_t>(i)};
+      entries[i] = {std::uint64_t{kLastRound - round} << (N * kBits) | position,
+                    static_cast<std::uint32_t>(i)};
     }
   });
   sort_entries(entries, threads);

@@ -12,8 +12,8 @@ namespace crossloft::detail {
 /// Asks the system to back memory not yet used with large pages; no effect but on speed: fewer page faults.
 void advise_large_pages(void* memory, std::size_t bytes);
 
-/// Asks the system to provide the memory at once, not when it is first used: threads can share that work. No effect
-/// on what is in it.
+/// Asks the system to provide the memory at once, not when it is first used: threads can share that work. No
+/// effect on what is in it.
 void provide_pages(void* memory, std::size_t bytes);
 
 /// vector.reserve(count), in large pages.
@@ -32,9 +32,8 @@ template <class T>
 void provide_pages_for(std::vector<T>& items, std::size_t count, unsigned threads) {
   if (count <= items.size() || threads < 2) return;
   char* const from = reinterpret_cast<char*>(items.data() + items.size());
-  in_slices(threads, (count - items.size()) * sizeof(T), [&](std::size_t begin, std::size_t end, unsigned) {
-    provide_pages(from + begin, end - begin);
-  });
+  in_slices(threads, (count - items.size()) * sizeof(T),
+            [&](std::size_t begin, std::size_t end, unsigned) { provide_pages(from + begin, end - begin); });
 }
 
 /// vector.resize(count), in large pages.

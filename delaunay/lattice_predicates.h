@@ -27,7 +27,8 @@ inline LiftedError lifted_error(const StaticBounds& bounds) {
 /// Points in space; the span must stay as it is.
 class LatticePredicates3 {
  public:
-  explicit LatticePredicates3(std::span<const LatticePoint> points) : points_(points), bounds_(static_bounds(points)) {}
+  explicit LatticePredicates3(std::span<const LatticePoint> points)
+      : points_(points), bounds_(static_bounds(points)) {}
 
   std::uint32_t size() const { return static_cast<std::uint32_t>(points_.size()); }
   double coordinate(std::uint32_t i, int axis) const { return points_[i][axis]; }

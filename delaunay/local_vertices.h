@@ -25,8 +25,8 @@ class LocalVertices {
   void reserve(std::size_t more) {
     if (vertices_.size() < size_ + more) vertices_.resize(2 * (size_ + more));
   }
-  /// False if it was in before. Does the same in both cases, since no processor foresees which it is. REQUIRES:
-  /// reserved room.
+  /// False if it was in before. Does the same in both cases, since no processor foresees which it is.
+  /// REQUIRES: reserved room.
   bool add(std::uint32_t vertex) {
     std::uint32_t& number = number_[place(vertex)];
     // A number left from before is below the length of the list, which never shrinks.

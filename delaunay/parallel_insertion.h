@@ -1,12 +1,12 @@
 #pragma once
 /// Several threads insert points into one triangulation of space, without locks.
 ///
-/// Space is divided (division.h), and each thread inserts the points of its part as long as their cavities stay
-/// within its territory. What is left over, the points near the borders, goes through other divisions while
-/// that takes many of them in; the caller inserts the rest. The triangulation is a function of the points alone
-/// (perturbation.h), so neither the divisions nor the order of the threads' work can be seen in it. Source:
-/// Marot, Pellerin, Remacle, One machine, one minute, three billion tetrahedra (2019), for partitions that
-/// change and for leaving points over instead of waiting.
+/// Space is divided (division.h), and each thread inserts the points of its part as long as their cavities
+/// stay within its territory. What is left over, the points near the borders, goes through other divisions
+/// while that takes many of them in; the caller inserts the rest. The triangulation is a function of the
+/// points alone (perturbation.h), so neither the divisions nor the order of the threads' work can be seen in
+/// it. Source: Marot, Pellerin, Remacle, One machine, one minute, three billion tetrahedra (2019), for
+/// partitions that change and for leaving points over instead of waiting.
 
 #include <algorithm>
 #include <array>
@@ -32,7 +32,8 @@ class ParallelInsertion {
     auto& kept = triangulation.kept;
     const std::size_t known = kept.size();
     resize_in_large_pages(kept, predicates.size());
-    std::iota(kept.begin() + static_cast<std::ptrdiff_t>(known), kept.end(), static_cast<std::uint32_t>(known));
+    std::iota(kept.begin() + static_cast<std::ptrdiff_t>(known), kept.end(),
+              static_cast<std::uint32_t>(known));
     for (std::uint16_t part = 0; part < threads; ++part) {
       workers_.push_back(std::make_unique<Worker>(predicates, triangulation, Territory{&part_of_, part}));
     }
@@ -73,7 +74,8 @@ class ParallelInsertion {
     bool insert(std::uint32_t i) {
       if (inserter.insert(i)) {
         failures = 0;
-        if (++inserted % kAnchorEvery == 0) anchors[inserted / kAnchorEvery % anchors.size()] = inserter.hint();
+        if (++inserted % kAnchorEvery == 0)
+          anchors[inserted / kAnchorEvery % anchors.size()] = inserter.hint();
         return true;
       }
       if (++failures % kManyFailures != 0) return false;
@@ -129,10 +131,12 @@ std::vector<std::uint32_t> ParallelInsertion<P>::insert(std::uint32_t begin, std
 template <class P>
 void ParallelInsertion<P>::divide(const std::vector<std::uint32_t>& points, std::uint32_t vertices) {
   const Division division(predicates_, points, static_cast<std::uint32_t>(workers_.size()), cuts_);
-  in_slices(static_cast<unsigned>(workers_.size()), vertices, [&](std::size_t begin, std::size_t end, unsigned) {
-    for (std::size_t v = begin; v < end; ++v)
-      part_of_[v] = static_cast<std::uint16_t>(division.part_of(predicates_, static_cast<std::uint32_t>(v)));
-  });
+  in_slices(static_cast<unsigned>(workers_.size()), vertices,
+            [&](std::size_t begin, std::size_t end, unsigned) {
+              for (std::size_t v = begin; v < end; ++v)
+                part_of_[v] =
+                    static_cast<std::uint16_t>(division.part_of(predicates_, static_cast<std::uint32_t>(v)));
+            });
   for (const auto& worker : workers_) worker->points.clear();
   for (const std::uint32_t i : points) workers_[part_of_[i]]->points.push_back(i);
 }
@@ -154,8 +158,8 @@ void ParallelInsertion<P>::find_starts() {
   }
 }
 
-/// Cells for all that each worker may insert, if a point needs as many as so far, or a multiple; a worker that
-/// runs out leaves the rest over. `vertices`: how many points the present cells are of.
+/// Cells for all that each worker may insert, if a point needs as many as so far, or a multiple; a worker
+/// that runs out leaves the rest over. `vertices`: how many points the present cells are of.
 template <class P>
 void ParallelInsertion<P>::provide_cells(std::uint32_t vertices, double generosity) {
   auto& cells = triangulation_.cells;
@@ -164,7 +168,8 @@ void ParallelInsertion<P>::provide_cells(std::uint32_t vertices, double generosi
   const double per_point = generosity * static_cast<double>(used) / vertices;
   for (const auto& worker : workers_) {
     CellPool& pool = worker->inserter.pool();
-    const auto wanted = static_cast<std::size_t>(per_point * static_cast<double>(worker->points.size())) + 4 * kFew;
+    const auto wanted =
+        static_cast<std::size_t>(per_point * static_cast<double>(worker->points.size())) + 4 * kFew;
     pool.ran_dry = false;
     for (; pool.next != pool.end; ++pool.next) pool.freed.push_back(pool.next);
     if (pool.freed.size() >= wanted) continue;

@@ -61,7 +61,8 @@ class SimplexStore {
     reserve_in_large_pages(neighbours_, cells);
     reserve_in_large_pages(marks_, cells);
   }
-  /// Room is left for fewer cells than an insertion may need; by so many are few cells doubled early, no oftener.
+  /// Room is left for fewer cells than an insertion may need; by so many are few cells doubled early, no
+  /// oftener.
   bool is_nearly_full() const {
     return vertices_.capacity() - vertices_.size() < std::min(kManyPerInsertion, vertices_.size() / 4);
   }

@@ -52,7 +52,8 @@ void rename_vertices(Triangulation& result, const std::vector<std::uint32_t>& or
   result.kept.assign(order.size(), kNone);
   detail::in_slices(threads, order.size(), [&](std::size_t begin, std::size_t end, unsigned) {
     for (std::size_t k = begin; k < end; ++k)
-      if (const std::uint32_t v = kept(static_cast<std::uint32_t>(k)); v != kNone) result.kept[order[k]] = number[v];
+      if (const std::uint32_t v = kept(static_cast<std::uint32_t>(k)); v != kNone)
+        result.kept[order[k]] = number[v];
   });
 }
 
@@ -78,7 +79,8 @@ Triangulation delaunay_triangulation(std::vector<Vec3> points, unsigned threads)
   result.dimension = 3;
   result.tets = triangulation.release_tet_mesh(threads);
   points = {};
-  rename_vertices(result, order, [&](std::uint32_t k) { return triangulation.kept(k); }, threads);
+  rename_vertices(
+      result, order, [&](std::uint32_t k) { return triangulation.kept(k); }, threads);
   return result;
 }
 

@@ -14,7 +14,8 @@ namespace crossloft {
 /// weights.
 class WeightedPredicates3 {
  public:
-  explicit WeightedPredicates3(std::span<const WeightedPoint> points) : points_(points), bounds_(static_bounds(points)) {}
+  explicit WeightedPredicates3(std::span<const WeightedPoint> points)
+      : points_(points), bounds_(static_bounds(points)) {}
 
   std::uint32_t size() const { return static_cast<std::uint32_t>(points_.size()); }
   double coordinate(std::uint32_t i, int axis) const {

@@ -72,8 +72,9 @@ TEST_CASE("bounds of lifted determinants relative to their terms") {
     return product;
   };
   const mpq_class up = 1 + kUnit, down = 1 - kUnit;
-  // How far a product of entries as computed may be off: their own errors, two roundings of each minor, one of the
-  // product, three of the sums. The sum of the sizes has as many roundings, all down, and the bound one more.
+  // How far a product of entries as computed may be off: their own errors, two roundings of each minor, one
+  // of the product, three of the sums. The sum of the sizes has as many roundings, all down, and the bound
+  // one more.
   const auto check = [&](double constant, const Tracked& d, const Tracked& l) {
     const mpq_class minors = power(1 + d.error, 3) * (1 + l.error) * power(up, 4);
     const mpq_class error = minors * power(up, 4) - 1;
