@@ -50,9 +50,9 @@ class Delaunay3 {
     return mesh;
   }
   /// The same without a copy; afterwards only kept() and the dimension may be asked.
-  TetMesh release_tet_mesh() {
+  TetMesh release_tet_mesh(unsigned threads = 1) {
     TetMesh mesh;
-    core_.release(mesh.vertices, mesh.neighbours);
+    core_.release(mesh.vertices, mesh.neighbours, threads);
     return mesh;
   }
   /// Empty if sound, else the first broken invariant: symmetric neighbours, positive orientation, ghosts in

@@ -1,7 +1,7 @@
 #pragma once
-/// A triangulation from its first point on: waits for the first simplex, inserts the rest in a good order, and
-/// hands out the result. Once for the plane and for space, for points (Delaunay) and for sites with heights of
-/// their own (regular); the insertion itself is inserter.h.
+/// A triangulation from its first point on: waits for the first simplex, inserts the rest in a good order,
+/// and hands out the result. Once for the plane and for space, for points (Delaunay) and for sites with
+/// heights of their own (regular); the insertion itself is inserter.h.
 
 #include <algorithm>
 #include <array>
@@ -40,8 +40,8 @@ class DelaunayCore {
   /// Finite cells and, per slot, their finite neighbours or kNone.
   void finite(std::vector<Simplex<D>>& vertices, std::vector<Simplex<D>>& neighbours) const;
   /// The same without a copy. Nothing else may be asked afterwards but the dimension and what is kept.
-  void release(std::vector<Simplex<D>>& vertices, std::vector<Simplex<D>>& neighbours) {
-    growing_.cells.release(vertices, neighbours);
+  void release(std::vector<Simplex<D>>& vertices, std::vector<Simplex<D>>& neighbours, unsigned threads = 1) {
+    growing_.cells.release(vertices, neighbours, threads);
   }
 
   const P& predicates() const { return predicates_; }
@@ -72,6 +72,7 @@ class DelaunayCore {
 
  private:
   void make_room();
+  void insert_the_rest(std::uint32_t i);
   std::uint32_t insert_in_parallel(unsigned threads) requires(D == 3);
   bool extends_basis(std::uint32_t i) const;
   void wait_for_basis(std::uint32_t i);

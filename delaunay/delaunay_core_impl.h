@@ -24,22 +24,38 @@ void DelaunayCore<D, P>::build_in_given_order([[maybe_unused]] unsigned threads)
   inserter_.see_points();
   std::uint32_t done = 0;
   if constexpr (D == 3 && !HasHeights<P>) done = insert_in_parallel(threads);
-  for (std::uint32_t i = done; i < predicates_.size(); ++i) insert(i);
+  insert_the_rest(done);
   if (!growing_.kept.empty()) keep_lowest();
 }
 
-/// Inserts points from the first on; returns how many. A thread is worth its while for many points only, and
-/// rounds as in insertion_order keep what is left over to be inserted soon.
+/// Inserts points from i on. The last round of insertion_order, 7/8 of the points, runs along a curve, and
+/// each part of it makes about as many cells a point as those before: from these follows for how many to make
+/// room when it becomes scarce. Half as much again in vain costs addresses, not memory; doubling cost page
+/// faults.
+template <std::size_t D, class P>
+void DelaunayCore<D, P>::insert_the_rest(std::uint32_t i) {
+  const std::uint32_t count = predicates_.size(), last_round = std::max(i, count / 8);
+  auto& cells = growing_.cells;
+  for (; i < last_round; ++i) insert(i);
+  for (const double before = cells.size(); i < count; ++i) {
+    insert(i);
+    if (!cells.is_nearly_full()) [[likely]]
+      continue;
+    const double size = cells.size(), per_point = (size - before) / (i + 1 - last_round);
+    cells.reserve(
+        static_cast<std::size_t>(size + std::clamp(1.5 * per_point * (count - i), size, 31 * size)));
+  }
+}
+
+/// Inserts points from the first on; returns how many. Rounds as in insertion_order keep what is left over to
+/// be inserted soon.
 template <std::size_t D, class P>
 std::uint32_t DelaunayCore<D, P>::insert_in_parallel(unsigned threads) requires(D == 3) {
-  constexpr std::uint32_t kPerThread = 5000, kMostThreads = 256;
   const std::uint32_t count = predicates_.size();
-  // More than a few per core gain nothing, and a system that refuses one would end the program.
-  const unsigned cores = std::max(1u, std::thread::hardware_concurrency());
-  threads = std::min({threads, kMostThreads, 4 * cores, count / (4 * kPerThread)});
+  threads = useful_threads(threads, count);
   std::uint32_t done = 0;
   if (threads < 2) return done;
-  for (; done < threads * kPerThread; ++done) insert(done);
+  for (; done < threads * (kPointsPerThread / 4); ++done) insert(done);
   while (done < count && dimension() < 3) insert(done++);
   if (done == count) return done;
   ParallelInsertion<P> parallel(predicates_, growing_, threads);

@@ -54,12 +54,14 @@ struct Everywhere {
   bool owns(const std::array<std::uint32_t, N>&) const {
     return true;
   }
+  bool owns(std::uint32_t) const { return true; }
 };
 
 /// Cells that were given back, and a range of cells never used.
 struct CellPool {
   std::vector<std::uint32_t> freed;
   std::uint32_t next = 0, end = 0;
+  bool ran_dry = false;  ///< too few cells for some insertion
 
   std::size_t size() const { return freed.size() + (end - next); }
 };
@@ -68,10 +70,7 @@ template <std::size_t D, class P, class Territory = Everywhere>
 class Inserter {
  public:
   Inserter(const P& predicates, GrowingTriangulation<D>& triangulation, Territory territory = {})
-      : predicates_(predicates),
-        shared_(triangulation),
-        cells_(triangulation.cells),
-        territory_(territory) {}
+      : predicates_(predicates), shared_(triangulation), cells_(triangulation.cells), territory_(territory) {}
 
   /// Points may have come to the predicates object. Call it before the first insertion too.
   void see_points();
@@ -110,6 +109,9 @@ class Inserter {
   static constexpr bool kLifts = D == 3 && LiftsPoints<P>;
   static constexpr bool kNumbersVertices = D == 3 || HasHeights<P>;
 
+  /// The cell of a facet is owned. REQUIRES: so is the one on its other side: all vertices but one are the
+  /// same.
+  bool owns_beyond(Facet f) const { return territory_.owns(cells_.vertices(f.cell())[f.slot()]); }
   std::uint32_t locate(std::uint32_t e, std::uint32_t start) const;
   std::uint32_t equal_vertex(std::uint32_t cell, std::uint32_t e) const;
   bool is_above(std::uint32_t cell, std::uint32_t e) const;
@@ -151,9 +153,9 @@ class Inserter {
   Scratch<Facet> wave_;                      ///< ways from the cavity to the cells that are asked next
   Scratch<std::uint8_t> answers_;            ///< their answers
   Scratch<Rim> rim_;
-  LocalVertices local_;           ///< vertices of the cavity and, if they are lifted, of the cells around it
-  std::vector<LiftedRow> rows_;   ///< of the local vertices
-  std::size_t dug_vertices_ = 0;  ///< vertices of the cavity, the ghost too, where some can be hidden
+  LocalVertices local_;            ///< vertices of the cavity and, if they are lifted, of the cells around it
+  std::vector<LiftedRow> rows_;    ///< of the local vertices
+  std::size_t dug_vertices_ = 0;   ///< vertices of the cavity, the ghost too, where some can be hidden
   std::vector<std::uint8_t> dug_;  ///< by local number, as far as needed: in the cavity
   Scratch<StarCell> star_;
   std::vector<Facet> edges_;  ///< of new cells by the directed edge of the rim that they have

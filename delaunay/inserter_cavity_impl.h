@@ -5,13 +5,14 @@
 
 namespace crossloft::detail {
 
-/// Local vertices up to which cells are joined by a table, of 256 KB then; beyond, a quadratic method is no use.
+/// Local vertices up to which cells are joined by a table, of 256 KB then; beyond, a quadratic method is no
+/// use.
 inline constexpr std::size_t kMostInTable = 256;
 
-/// Floods the cells in conflict with e from `start`, wave by wave, and collects the boundary. In each wave the
-/// cells beyond the last ones are marked, then asked, then listed: none of these loops has a branch on what it
-/// finds, which no processor would foresee. False, and nothing changed, if a cell in conflict is not owned or
-/// the pool has no cells to fill the cavity with.
+/// Floods the cells in conflict with e from `start`, wave by wave, and collects the boundary. In each wave
+/// the cells beyond the last ones are marked, then asked, then listed: none of these loops has a branch on
+/// what it finds, which no processor would foresee. False, and nothing changed, if a cell in conflict is not
+/// owned or the pool has no cells to fill the cavity with.
 template <std::size_t D, class P, class T>
 bool Inserter<D, P, T>::dig(std::uint32_t e, std::uint32_t start) {
   start_cavity(e, start);
@@ -22,8 +23,10 @@ bool Inserter<D, P, T>::dig(std::uint32_t e, std::uint32_t start) {
     done = end;
   }
   collect_rim();
-  if (T::kBounded && pool_.size() < rim_.size()) return forget_marks(), false;
-  return true;
+  if (!T::kBounded || pool_.size() >= rim_.size()) return true;
+  pool_.ran_dry = true;
+  forget_marks();
+  return false;
 }
 
 template <std::size_t D, class P, class T>
@@ -42,15 +45,15 @@ void Inserter<D, P, T>::start_cavity(std::uint32_t e, std::uint32_t start) {
   }
 }
 
-/// Gathers the cells beyond the last wave. One that is not owned is never marked: it is asked at once, for each
-/// facet that leads there; false if it is in conflict.
+/// Gathers the cells beyond the last wave. One that is not owned is never marked: it is asked at once, for
+/// each facet that leads there; false if it is in conflict.
 template <std::size_t D, class P, class T>
 bool Inserter<D, P, T>::look_around(std::uint32_t e, std::size_t begin, std::size_t end) {
   Facet* way = wave_.restart((D + 1) * (end - begin));
   for (std::size_t k = begin; k < end; ++k)
     for (std::size_t slot = 0; slot <= D; ++slot) {
       const Facet next = cells_.across({cavity_[k], slot});
-      if (T::kBounded && !territory_.owns(cells_.vertices(next.cell()))) {
+      if (T::kBounded && !owns_beyond(next)) {
         if (!in_conflict(next.cell(), e)) continue;
         for (const Facet* f = wave_.begin(); f != way; ++f) cells_.clear_mark(f->cell());
         return false;
@@ -104,8 +107,7 @@ void Inserter<D, P, T>::expect_vertices(std::size_t more) {
 template <std::size_t D, class P, class T>
 inline void Inserter<D, P, T>::note_vertex(std::uint32_t v, std::uint32_t e) {
   [[maybe_unused]] const bool added = local_.add(v);
-  if constexpr (kLifts)
-    rows_[local_.size() - added] = predicates_.lifted(v == kGhost ? e : v, e);
+  if constexpr (kLifts) rows_[local_.size() - added] = predicates_.lifted(v == kGhost ? e : v, e);
 }
 
 /// REQUIRES: the cell's vertices have their rows.
@@ -118,8 +120,8 @@ inline bool Inserter<D, P, T>::conflicts(std::uint32_t cell, std::uint32_t e) co
       const double determinant = lifted_determinant(row(0), row(1), row(2), row(3));
       if (std::fabs(determinant) > lifted_error_.absolute) [[likely]]
         return determinant > 0;
-      const double size = lifted_size(row(0), row(1), row(2), row(3));
-      if (std::fabs(determinant) > lifted_error_.relative * size) return determinant > 0;
+      const double terms = lifted_terms(row(0), row(1), row(2), row(3));
+      if (std::fabs(determinant) > lifted_error_.relative * terms) return determinant > 0;
     }
   }
   return in_conflict(cell, e);
@@ -182,17 +184,16 @@ std::uint32_t Inserter<D, P, T>::take_cell() {
   return cells_.grow();
 }
 
-/// Over a facet of the rim a copy of the cell inside it with e in place of the apex, so that orientation, slots
-/// and the place of the ghost are inherited. Only the neighbour outside is told.
+/// Over a facet of the rim a copy of the cell inside it with e in place of the apex, so that orientation,
+/// slots and the place of the ghost are inherited. Only the neighbour outside is told.
 template <std::size_t D, class P, class T>
 inline Facet Inserter<D, P, T>::make_cell(const Rim& rim, std::uint32_t e) {
   const std::uint32_t cell = take_cell();
-  const Simplex<D> vertices = replaced(cells_.vertices(rim.inside.cell()), rim.inside.slot(), e);
-  cells_.set_vertices(cell, vertices);
+  cells_.copy_vertices(rim.inside.cell(), cell, rim.inside.slot(), e);
   const Facet base(cell, rim.inside.slot());
   cells_.redirect(rim.outside, base);
   note_incident(cell);
-  if (vertices[D] != kGhost) hint_ = cell;
+  hint_ = cells_.is_ghost(cell) ? hint_ : cell;
   return base;
 }
 
@@ -211,8 +212,8 @@ void Inserter<D, P, T>::fill(std::uint32_t e) {
 }
 
 /// The new cells find each other by the edges of the rim, a closed oriented surface: each edge is met once in
-/// each direction. The table is square, over the numbers of the local vertices, and needs no clearing: what is
-/// read was written. No branch depends on the shape of the cavity, which is what makes this fast.
+/// each direction. The table is square, over the numbers of the local vertices, and needs no clearing: what
+/// is read was written. No branch depends on the shape of the cavity, which is what makes this fast.
 template <std::size_t D, class P, class T>
 void Inserter<D, P, T>::fill_by_table(std::uint32_t e) requires(D == 3) {
   const std::size_t width = local_.size();

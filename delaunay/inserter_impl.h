@@ -1,6 +1,8 @@
 #pragma once
 /// One insertion from search to end; included by inserter.h.
 
+#include <iterator>
+
 #include "inserter.h"
 
 namespace crossloft::detail {
@@ -38,8 +40,8 @@ bool Inserter<D, P, T>::keep(std::uint32_t i, std::uint32_t vertex) {
 }
 
 /// Visibility walk: it cannot cycle, since the perturbed triangulation is regular. Returns a finite cell that
-/// holds e, or a ghost cell that e is beyond, or the first cell on the way that is not owned. It is in conflict
-/// with e unless it has a vertex equal to e or e is hidden.
+/// holds e, or a ghost cell that e is beyond, or the first cell on the way that is not owned. It is in
+/// conflict with e unless it has a vertex equal to e or e is hidden.
 template <std::size_t D, class P, class T>
 std::uint32_t Inserter<D, P, T>::locate(std::uint32_t e, std::uint32_t start) const {
   std::uint32_t cell = cells_.is_ghost(start) ? cells_.across({start, D}).cell() : start;
@@ -51,7 +53,7 @@ std::uint32_t Inserter<D, P, T>::locate(std::uint32_t e, std::uint32_t start) co
       const Facet next = cells_.across({cell, slot});
       cell = next.cell();
       entered = next.slot();
-      inside = cells_.is_ghost(cell) || !territory_.owns(cells_.vertices(cell));
+      inside = cells_.is_ghost(cell) || !owns_beyond(next);
       break;
     }
   }
@@ -119,10 +121,9 @@ void Inserter<D, P, T>::hide_inner_vertices() {
 template <std::size_t D, class P, class T>
 void Inserter<D, P, T>::give_back() {
   forget_marks();
-  for (std::size_t k = cavity_.size(); k-- > 0;) {
-    cells_.set_free(cavity_[k]);
-    pool_.freed.push_back(cavity_[k]);
-  }
+  for (const std::uint32_t cell : cavity_) cells_.set_free(cell);
+  pool_.freed.insert(pool_.freed.end(), std::make_reverse_iterator(cavity_.end()),
+                     std::make_reverse_iterator(cavity_.begin()));
 }
 
 }  // namespace crossloft::detail

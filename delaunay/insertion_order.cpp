@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "hilbert_curve.h"
+#include "in_parallel.h"
+#include "large_pages.h"
 
 namespace crossloft {
 namespace {
@@ -64,45 +66,57 @@ struct Entry {
   std::uint32_t index;
 };
 
-/// Sorts by key, entries of equal keys as they are: least digits first, skipping digits that all share.
-void sort_by_key(std::vector<Entry>& entries) {
+/// Sorts by key, entries of equal keys as they are: least digits first, skipping digits that all share. Each
+/// thread moves a slice of the entries to the places that the slices before leave it.
+void sort_by_key(std::vector<Entry>& entries, unsigned threads) {
   constexpr unsigned kDigit = 11, kDigits = (64 + kDigit - 1) / kDigit, kValues = 1u << kDigit;
-  const auto digit = [](const Entry& e, unsigned d) { return e.key >> d * kDigit & (kValues - 1); };
-  std::vector<std::array<std::uint32_t, kValues>> counts(kDigits);
-  for (const Entry& e : entries)
-    for (unsigned d = 0; d < kDigits; ++d) ++counts[d][digit(e, d)];
-  std::vector<Entry> sorted(entries.size());
+  std::vector<std::array<std::uint32_t, kValues>> places(threads);
+  std::vector<Entry> sorted;
+  detail::resize_in_large_pages(sorted, entries.size(), threads);
   for (unsigned d = 0; d < kDigits; ++d) {
-    auto& place = counts[d];
-    if (place[digit(entries[0], d)] == entries.size()) continue;
-    std::uint32_t before = 0;
-    for (std::uint32_t& p : place) before += std::exchange(p, before);
-    for (const Entry& e : entries) sorted[place[digit(e, d)]++] = e;
+    const auto digit = [d](const Entry& e) { return e.key >> d * kDigit & (kValues - 1); };
+    detail::in_slices(threads, entries.size(), [&](std::size_t begin, std::size_t end, unsigned k) {
+      places[k].fill(0);
+      for (std::size_t i = begin; i < end; ++i) ++places[k][digit(entries[i])];
+    });
+    std::uint32_t of_first = 0, before = 0;
+    for (const auto& place : places) of_first += place[digit(entries[0])];
+    if (of_first == entries.size()) continue;
+    for (unsigned value = 0; value < kValues; ++value)
+      for (auto& place : places) before += std::exchange(place[value], before);
+    detail::in_slices(threads, entries.size(), [&](std::size_t begin, std::size_t end, unsigned k) {
+      for (std::size_t i = begin; i < end; ++i) sorted[places[k][digit(entries[i])]++] = entries[i];
+    });
     entries.swap(sorted);
   }
 }
 
-void sort_entries(std::vector<Entry>& entries) {
+void sort_entries(std::vector<Entry>& entries, unsigned threads) {
   constexpr std::size_t kFew = 2000;  // below, clearing the counts costs more
-  if (entries.size() > kFew) return sort_by_key(entries);
+  if (entries.size() > kFew) return sort_by_key(entries, threads);
   std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
     return a.key != b.key ? a.key < b.key : a.index < b.index;
   });
 }
 
 template <std::size_t N, class Point>
-std::vector<std::uint32_t> order(std::span<const Point> points) {
-  std::vector<std::uint32_t> result(points.size());
+std::vector<std::uint32_t> order(std::span<const Point> points, unsigned threads = 1) {
+  std::vector<std::uint32_t> result;
   if (points.empty()) return result;
   const Grid<N> grid(points);
-  std::vector<Entry> entries(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const unsigned round = round_of(i);
-    std::uint64_t position = detail::HilbertCurve<N>::position(grid.cell(points[i]), kBits);
-    if (round % 2) position ^= (std::uint64_t{1} << (N * kBits)) - 1;
-    entries[i] = {std::uint64_t{kLastRound - round} << (N * kBits) | position, static_cast<std::uint32_t>(i)};
-  }
-  sort_entries(entries);
+  std::vector<Entry> entries;
+  detail::resize_in_large_pages(entries, points.size(), threads);
+  detail::in_slices(threads, points.size(), [&](std::size_t begin, std::size_t end, unsigned) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const unsigned round = round_of(i);
+      std::uint64_t position = detail::HilbertCurve<N>::position(grid.cell(points[i]), kBits);
+      if (round % 2) position ^= (std::uint64_t{1} << (N * kBits)) - 1;
+      entries[i] = {std::uint64_t{kLastRound - round} << (N * kBits) | position,
+                    static_cast<std::uint32_t>(i)};
+    }
+  });
+  sort_entries(entries, threads);
+  detail::resize_in_large_pages(result, points.size());
   for (std::size_t i = 0; i < entries.size(); ++i) result[i] = entries[i].index;
   return result;
 }
@@ -115,6 +129,8 @@ std::vector<std::uint32_t> insertion_order(std::span<const std::array<double, 2>
 std::vector<std::uint32_t> insertion_order(std::span<const std::array<double, 3>> points) {
   return order<3>(points);
 }
-std::vector<std::uint32_t> insertion_order(std::span<const Vec3> points) { return order<3>(points); }
+std::vector<std::uint32_t> insertion_order(std::span<const Vec3> points, unsigned threads) {
+  return order<3>(points, detail::useful_threads(threads, points.size()));
+}
 
 }  // namespace crossloft

@@ -17,6 +17,7 @@ namespace crossloft {
 /// BRIO (2003).
 std::vector<std::uint32_t> insertion_order(std::span<const std::array<double, 2>> points);
 std::vector<std::uint32_t> insertion_order(std::span<const std::array<double, 3>> points);
-std::vector<std::uint32_t> insertion_order(std::span<const Vec3> points);
+/// By several threads.
+std::vector<std::uint32_t> insertion_order(std::span<const Vec3> points, unsigned threads = 1);
 
 }  // namespace crossloft

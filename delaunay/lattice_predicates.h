@@ -20,14 +20,15 @@ inline LiftedRow lifted_row(const LatticePoint& p, const LatticePoint& origin) {
 /// Only the bounds of explicit points alone have a scale; then nothing is blurred.
 inline LiftedError lifted_error(const StaticBounds& bounds) {
   LiftedError error{.absolute = bounds.insphere};
-  if (bounds.scale != 0) error.relative = filters::kInsphereError;
+  if (bounds.scale != 0) error.relative = filters::kTermsError;
   return error;
 }
 
 /// Points in space; the span must stay as it is.
 class LatticePredicates3 {
  public:
-  explicit LatticePredicates3(std::span<const LatticePoint> points) : points_(points), bounds_(static_bounds(points)) {}
+  explicit LatticePredicates3(std::span<const LatticePoint> points)
+      : points_(points), bounds_(static_bounds(points)) {}
 
   std::uint32_t size() const { return static_cast<std::uint32_t>(points_.size()); }
   double coordinate(std::uint32_t i, int axis) const { return points_[i][axis]; }

@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "large_pages.h"
+
 namespace crossloft::detail {
 
 /// A sparse set: a vertex is in iff the number noted for it names it, so that clearing forgets all at once.
@@ -12,7 +14,7 @@ class LocalVertices {
  public:
   /// For vertices below `count` and the ghost.
   void make_room(std::size_t count) {
-    if (number_.size() <= count) number_.resize(count + 1);
+    if (number_.size() <= count) resize_in_large_pages(number_, count + 1);
   }
   void clear() { size_ = 0; }
   std::size_t size() const { return size_; }
@@ -23,8 +25,8 @@ class LocalVertices {
   void reserve(std::size_t more) {
     if (vertices_.size() < size_ + more) vertices_.resize(2 * (size_ + more));
   }
-  /// False if it was in before. Does the same in both cases, since no processor foresees which it is. REQUIRES:
-  /// reserved room.
+  /// False if it was in before. Does the same in both cases, since no processor foresees which it is.
+  /// REQUIRES: reserved room.
   bool add(std::uint32_t vertex) {
     std::uint32_t& number = number_[place(vertex)];
     // A number left from before is below the length of the list, which never shrinks.

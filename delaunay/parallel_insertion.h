@@ -1,23 +1,24 @@
 #pragma once
 /// Several threads insert points into one triangulation of space, without locks.
 ///
-/// Space is divided (division.h), and each thread inserts the points of its part as long as their cavities stay
-/// within its territory. What is left over, the points near the borders, goes through other divisions while
-/// that takes many of them in; the caller inserts the rest. The triangulation is a function of the points alone
-/// (perturbation.h), so neither the divisions nor the order of the threads' work can be seen in it. Source:
-/// Marot, Pellerin, Remacle, One machine, one minute, three billion tetrahedra (2019), for partitions that
-/// change and for leaving points over instead of waiting.
+/// Space is divided (division.h), and each thread inserts the points of its part as long as their cavities
+/// stay within its territory. What is left over, the points near the borders, goes through other divisions
+/// while that takes many of them in; the caller inserts the rest. The triangulation is a function of the
+/// points alone (perturbation.h), so neither the divisions nor the order of the threads' work can be seen in
+/// it. Source: Marot, Pellerin, Remacle, One machine, one minute, three billion tetrahedra (2019), for
+/// partitions that change and for leaving points over instead of waiting.
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <thread>
+#include <numeric>
 #include <utility>
 #include <vector>
 
 #include "division.h"
+#include "in_parallel.h"
 #include "inserter.h"
 
 namespace crossloft::detail {
@@ -29,11 +30,14 @@ class ParallelInsertion {
   ParallelInsertion(const P& predicates, GrowingTriangulation<3>& triangulation, unsigned threads)
       : predicates_(predicates), triangulation_(triangulation), part_of_(predicates.size()) {
     auto& kept = triangulation.kept;
-    for (auto i = static_cast<std::uint32_t>(kept.size()); i < predicates.size(); ++i) kept.push_back(i);
+    const std::size_t known = kept.size();
+    resize_in_large_pages(kept, predicates.size());
+    std::iota(kept.begin() + static_cast<std::ptrdiff_t>(known), kept.end(),
+              static_cast<std::uint32_t>(known));
     for (std::uint16_t part = 0; part < threads; ++part) {
       workers_.push_back(std::make_unique<Worker>(predicates, triangulation, Territory{&part_of_, part}));
-      workers_.back()->inserter.see_points();
     }
+    in_parallel(threads, [&](unsigned k) { workers_[k]->inserter.see_points(); });
   }
 
   /// Inserts points begin..end-1, all before them being in; returns those left over, in their order.
@@ -63,14 +67,15 @@ class ParallelInsertion {
       left.clear();
       anchors.fill(inserter.hint());
       for (const std::uint32_t i : points)
-        if (!has_start || !insert(i)) left.push_back(i);
+        if (!has_start || inserter.pool().ran_dry || !insert(i)) left.push_back(i);
     }
     /// The owned cells may fall apart into several pieces, and a search can't leave the one it starts in: so
     /// after many failures it starts again from cells made a while ago. Those that are still there are owned.
     bool insert(std::uint32_t i) {
       if (inserter.insert(i)) {
         failures = 0;
-        if (++inserted % kAnchorEvery == 0) anchors[inserted / kAnchorEvery % anchors.size()] = inserter.hint();
+        if (++inserted % kAnchorEvery == 0)
+          anchors[inserted / kAnchorEvery % anchors.size()] = inserter.hint();
         return true;
       }
       if (++failures % kManyFailures != 0) return false;
@@ -87,14 +92,15 @@ class ParallelInsertion {
     std::size_t inserted = 0, failures = 0;
   };
 
-  void divide(const std::vector<std::uint32_t>& points, std::uint32_t vertices, unsigned turn);
+  void divide(const std::vector<std::uint32_t>& points, std::uint32_t vertices);
   void find_starts();
-  void provide_cells(std::uint32_t vertices);
+  void provide_cells(std::uint32_t vertices, double generosity);
   void run_workers();
 
   const P& predicates_;
   GrowingTriangulation<3>& triangulation_;
   std::vector<std::uint16_t> part_of_;
+  Division::Cuts cuts_;
   std::vector<std::unique_ptr<Worker>> workers_;
 };
 
@@ -102,27 +108,35 @@ template <class P>
 std::vector<std::uint32_t> ParallelInsertion<P>::insert(std::uint32_t begin, std::uint32_t end) {
   std::vector<std::uint32_t> points(end - begin);
   for (std::uint32_t i = begin; i < end; ++i) points[i - begin] = i;
-  for (unsigned turn = 0; points.size() >= kFew * workers_.size(); ++turn) {
+  cuts_.clear();
+  double generosity = 1;
+  while (points.size() >= kFew * workers_.size()) {
     const std::size_t before = points.size();
-    divide(points, end, turn);
+    divide(points, end);
     find_starts();
-    provide_cells(begin);
+    provide_cells(static_cast<std::uint32_t>(end - before), generosity);
     run_workers();
     points.clear();
     for (const auto& worker : workers_) points.insert(points.end(), worker->left.begin(), worker->left.end());
     std::sort(points.begin(), points.end());
-    if (points.size() > before / 2) break;
+    const bool ran_dry = std::any_of(workers_.begin(), workers_.end(),
+                                     [](const auto& worker) { return worker->inserter.pool().ran_dry; });
+    if (ran_dry) generosity *= 2;
+    if (points.size() > before / 2 && !ran_dry) break;
   }
   return points;
 }
 
 /// REQUIRES: no points but those below `vertices` are in the triangulation, or will be in this pass.
 template <class P>
-void ParallelInsertion<P>::divide(const std::vector<std::uint32_t>& points, std::uint32_t vertices,
-                                  unsigned turn) {
-  const Division division(predicates_, points, static_cast<std::uint32_t>(workers_.size()), turn);
-  for (std::uint32_t v = 0; v < vertices; ++v)
-    part_of_[v] = static_cast<std::uint16_t>(division.part_of(predicates_, v));
+void ParallelInsertion<P>::divide(const std::vector<std::uint32_t>& points, std::uint32_t vertices) {
+  const Division division(predicates_, points, static_cast<std::uint32_t>(workers_.size()), cuts_);
+  in_slices(static_cast<unsigned>(workers_.size()), vertices,
+            [&](std::size_t begin, std::size_t end, unsigned) {
+              for (std::size_t v = begin; v < end; ++v)
+                part_of_[v] =
+                    static_cast<std::uint16_t>(division.part_of(predicates_, static_cast<std::uint32_t>(v)));
+            });
   for (const auto& worker : workers_) worker->points.clear();
   for (const std::uint32_t i : points) workers_[part_of_[i]]->points.push_back(i);
 }
@@ -144,33 +158,31 @@ void ParallelInsertion<P>::find_starts() {
   }
 }
 
-/// Cells for all that each worker may insert, if a point needs as many as so far; a worker that runs out leaves
-/// points over. `vertices`: how many points the present cells are of.
+/// Cells for all that each worker may insert, if a point needs as many as so far, or a multiple; a worker
+/// that runs out leaves the rest over. `vertices`: how many points the present cells are of.
 template <class P>
-void ParallelInsertion<P>::provide_cells(std::uint32_t vertices) {
+void ParallelInsertion<P>::provide_cells(std::uint32_t vertices, double generosity) {
   auto& cells = triangulation_.cells;
   std::size_t size = cells.size(), used = size;
   for (const auto& worker : workers_) used -= worker->inserter.pool().size();
-  const double per_point = static_cast<double>(used) / vertices;
+  const double per_point = generosity * static_cast<double>(used) / vertices;
   for (const auto& worker : workers_) {
     CellPool& pool = worker->inserter.pool();
-    const auto wanted = static_cast<std::size_t>(per_point * static_cast<double>(worker->points.size())) + 4 * kFew;
+    const auto wanted =
+        static_cast<std::size_t>(per_point * static_cast<double>(worker->points.size())) + 4 * kFew;
+    pool.ran_dry = false;
     for (; pool.next != pool.end; ++pool.next) pool.freed.push_back(pool.next);
     if (pool.freed.size() >= wanted) continue;
     pool.next = static_cast<std::uint32_t>(size);
     size += wanted - pool.freed.size();
     pool.end = static_cast<std::uint32_t>(size);
   }
-  cells.grow_to(size);
+  cells.grow_to(size, static_cast<unsigned>(workers_.size()));
 }
 
 template <class P>
 void ParallelInsertion<P>::run_workers() {
-  std::vector<std::thread> threads;
-  for (std::size_t k = 1; k < workers_.size(); ++k)
-    threads.emplace_back([worker = workers_[k].get()] { worker->run(); });
-  workers_[0]->run();
-  for (std::thread& thread : threads) thread.join();
+  in_parallel(static_cast<unsigned>(workers_.size()), [&](unsigned k) { workers_[k]->run(); });
 }
 
 }  // namespace crossloft::detail

@@ -1,6 +1,7 @@
 #pragma once
 /// Storage of a triangulation of dimension D: 32-bit indices, freed cells used again at once.
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -8,6 +9,7 @@
 #include <vector>
 
 #include "../geom/ids.h"
+#include "in_parallel.h"
 #include "large_pages.h"
 
 namespace crossloft::detail {
@@ -57,7 +59,12 @@ class SimplexStore {
   void reserve(std::size_t cells) {
     reserve_in_large_pages(vertices_, cells);
     reserve_in_large_pages(neighbours_, cells);
-    marks_.reserve(cells);
+    reserve_in_large_pages(marks_, cells);
+  }
+  /// Room is left for fewer cells than an insertion may need; by so many are few cells doubled early, no
+  /// oftener.
+  bool is_nearly_full() const {
+    return vertices_.capacity() - vertices_.size() < std::min(kManyPerInsertion, vertices_.size() / 4);
   }
   /// A new free cell.
   std::uint32_t grow() {
@@ -69,12 +76,20 @@ class SimplexStore {
     return size() - 1;
   }
   /// So many cells in all, those beyond size() free.
-  void grow_to(std::size_t cells) {
+  void grow_to(std::size_t cells, unsigned threads) {
+    if (cells > vertices_.capacity()) reserve(std::max(cells, 2 * vertices_.size()));
+    provide_pages_for(vertices_, cells, threads);
+    provide_pages_for(neighbours_, cells, threads);
     vertices_.resize(cells, free_cell());
     neighbours_.resize(cells, no_neighbours());
     marks_.resize(cells, Mark::none);
   }
   void set_vertices(std::uint32_t cell, const Simplex<D>& vertices) { vertices_[cell] = vertices; }
+  /// With another vertex in one slot. In memory: whole copies of what was just written in part are slow.
+  void copy_vertices(std::uint32_t from, std::uint32_t to, std::size_t slot, std::uint32_t vertex) {
+    vertices_[to] = vertices_[from];
+    vertices_[to][slot] = vertex;
+  }
   void set_free(std::uint32_t cell) { vertices_[cell] = free_cell(); }
   void link(Facet a, Facet b) {
     redirect(a, b);
@@ -134,9 +149,10 @@ class SimplexStore {
   /// Moves the finite cells to the front, one of the last into each gap, and hands out the arrays: vertices,
   /// and neighbours as plain cell numbers, kNone across the hull. The store is empty afterwards. Uses no
   /// memory of its own.
-  void release(std::vector<Simplex<D>>& vertices, std::vector<Simplex<D>>& neighbours);
+  void release(std::vector<Simplex<D>>& vertices, std::vector<Simplex<D>>& neighbours, unsigned threads = 1);
 
  private:
+  static constexpr std::size_t kManyPerInsertion = 4096;
   static constexpr Simplex<D> free_cell() {
     Simplex<D> cell{};
     cell[0] = kNone;
@@ -157,12 +173,16 @@ class SimplexStore {
 };
 
 template <std::size_t D>
-void SimplexStore<D>::release(std::vector<Simplex<D>>& vertices, std::vector<Simplex<D>>& neighbours) {
+void SimplexStore<D>::release(std::vector<Simplex<D>>& vertices, std::vector<Simplex<D>>& neighbours,
+                              unsigned threads) {
   marks_ = {};
   remove_ghosts();
   close_gaps();
-  for (Simplex<D>& codes : neighbours_)
-    for (std::uint32_t& code : codes) code = code == Facet().code() ? kNone : Facet::of_code(code).cell();
+  in_slices(threads, neighbours_.size(), [&](std::size_t begin, std::size_t end, unsigned) {
+    for (std::size_t cell = begin; cell < end; ++cell)
+      for (std::uint32_t& code : neighbours_[cell])
+        code = code == Facet().code() ? kNone : Facet::of_code(code).cell();
+  });
   vertices = std::exchange(vertices_, {});
   neighbours = std::exchange(neighbours_, {});
 }

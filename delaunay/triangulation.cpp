@@ -5,7 +5,9 @@
 #include <utility>
 
 #include "delaunay3.h"
+#include "in_parallel.h"
 #include "insertion_order.h"
+#include "large_pages.h"
 #include "regular3.h"
 #include "vec3_predicates.h"
 #include "weighted_predicates.h"
@@ -15,33 +17,44 @@ namespace {
 
 /// The points in another order.
 template <class Point>
-std::vector<Point> in_order(std::span<const Point> points, const std::vector<std::uint32_t>& order) {
+std::vector<Point> in_order(std::span<const Point> points, const std::vector<std::uint32_t>& order,
+                            unsigned threads = 1) {
   std::vector<Point> stored;
-  stored.reserve(points.size());
-  for (const std::uint32_t i : order) stored.push_back(points[i]);
+  detail::resize_in_large_pages(stored, points.size(), threads);
+  detail::in_slices(threads, points.size(), [&](std::size_t begin, std::size_t end, unsigned) {
+    for (std::size_t k = begin; k < end; ++k) stored[k] = points[order[k]];
+  });
   return stored;
 }
 
 template <std::size_t N>
-void renumber(std::vector<std::array<std::uint32_t, N>>& simplices,
-              const std::vector<std::uint32_t>& number) {
-  for (auto& simplex : simplices)
-    for (std::uint32_t& v : simplex) v = number[v];
+void renumber(std::vector<std::array<std::uint32_t, N>>& simplices, const std::vector<std::uint32_t>& number,
+              unsigned threads) {
+  detail::in_slices(threads, simplices.size(), [&](std::size_t begin, std::size_t end, unsigned) {
+    for (std::size_t s = begin; s < end; ++s)
+      for (std::uint32_t& v : simplices[s]) v = number[v];
+  });
 }
 
 /// From numbers in `order` to those of the points given. `number` becomes, for each vertex, the lowest of the
 /// points that it stands for.
 template <class Kept>
-void rename_vertices(Triangulation& result, const std::vector<std::uint32_t>& order, const Kept& kept) {
-  std::vector<std::uint32_t> number(order.size(), kNone);
+void rename_vertices(Triangulation& result, const std::vector<std::uint32_t>& order, const Kept& kept,
+                     unsigned threads = 1) {
+  std::vector<std::uint32_t> number;
+  detail::reserve_in_large_pages(number, order.size());
+  number.resize(order.size(), kNone);
   for (std::uint32_t k = 0; k < order.size(); ++k)
     if (const std::uint32_t v = kept(k); v != kNone) number[v] = std::min(number[v], order[k]);
-  renumber(result.tets.vertices, number);
-  renumber(result.triangles.vertices, number);
+  renumber(result.tets.vertices, number, threads);
+  renumber(result.triangles.vertices, number, threads);
   for (std::uint32_t& v : result.chain) v = number[v];
   result.kept.assign(order.size(), kNone);
-  for (std::uint32_t k = 0; k < order.size(); ++k)
-    if (const std::uint32_t v = kept(k); v != kNone) result.kept[order[k]] = number[v];
+  detail::in_slices(threads, order.size(), [&](std::size_t begin, std::size_t end, unsigned) {
+    for (std::size_t k = begin; k < end; ++k)
+      if (const std::uint32_t v = kept(static_cast<std::uint32_t>(k)); v != kNone)
+        result.kept[order[k]] = number[v];
+  });
 }
 
 /// Points of a plane or line: the regular triangulation knows what to do, and equal weights change nothing.
@@ -54,8 +67,9 @@ Triangulation flat_triangulation(const std::vector<Vec3>& stored, const std::vec
 }  // namespace
 
 Triangulation delaunay_triangulation(std::vector<Vec3> points, unsigned threads) {
-  const std::vector<std::uint32_t> order = insertion_order(std::span<const Vec3>(points));
-  points = in_order(std::span<const Vec3>(points), order);
+  threads = detail::useful_threads(threads, points.size());
+  const std::vector<std::uint32_t> order = insertion_order(std::span<const Vec3>(points), threads);
+  points = in_order(std::span<const Vec3>(points), order, threads);
   const Vec3Predicates3 predicates(points);
   Delaunay3 triangulation(predicates);
   triangulation.build_in_given_order(threads);
@@ -63,9 +77,10 @@ Triangulation delaunay_triangulation(std::vector<Vec3> points, unsigned threads)
 
   Triangulation result;
   result.dimension = 3;
-  result.tets = triangulation.release_tet_mesh();
+  result.tets = triangulation.release_tet_mesh(threads);
   points = {};
-  rename_vertices(result, order, [&](std::uint32_t k) { return triangulation.kept(k); });
+  rename_vertices(
+      result, order, [&](std::uint32_t k) { return triangulation.kept(k); }, threads);
   return result;
 }
 

@@ -34,7 +34,7 @@ class Vec3Predicates3 {
     const Vec3 d = points_[i] - points_[origin];
     return {d, dot(d, d)};
   }
-  LiftedError lifted_error() const { return {bounds_.insphere, filters::kRoundedInsphereError}; }
+  LiftedError lifted_error() const { return {bounds_.insphere, filters::kRoundedTermsError}; }
 
  private:
   std::span<const Vec3> points_;

@@ -14,7 +14,8 @@ namespace crossloft {
 /// weights.
 class WeightedPredicates3 {
  public:
-  explicit WeightedPredicates3(std::span<const WeightedPoint> points) : points_(points), bounds_(static_bounds(points)) {}
+  explicit WeightedPredicates3(std::span<const WeightedPoint> points)
+      : points_(points), bounds_(static_bounds(points)) {}
 
   std::uint32_t size() const { return static_cast<std::uint32_t>(points_.size()); }
   double coordinate(std::uint32_t i, int axis) const {
@@ -31,7 +32,7 @@ class WeightedPredicates3 {
     const filters::Lifted l = filters::lifted(points_[i], points_[origin]);
     return {l.d, l.lift};
   }
-  /// Lifts may cancel, so their maxima say nothing.
+  /// Lifts may cancel, so the sizes of the terms say nothing.
   LiftedError lifted_error() const { return {.absolute = bounds_.insphere}; }
   int compare_lex(std::uint32_t a, std::uint32_t b) const {
     const auto order = at(a) <=> at(b);

@@ -5,6 +5,7 @@
 
 #include "../../geom/double_filters.h"
 #include "../../geom/lattice_filters.h"
+#include "../../geom/lifted_row.h"
 #include "../../geom/weighted_filters.h"
 #include "tracked_error.h"
 
@@ -62,6 +63,48 @@ TEST_CASE("the in-sphere constants hold for determinants of lifted rows") {
   check_covers(filters::kInsphereError, lifted_of(kExact, lift(false, 3)));
   check_covers(filters::kRoundedInsphereError, lifted_of(kRounded, lift(true, 3)));
   check_covers(filters::kPower3dError, lifted_of(kRounded, weighted_lift()));
+}
+
+TEST_CASE("bounds of lifted determinants relative to their terms") {
+  const auto power = [](const mpq_class& base, int exponent) {
+    mpq_class product = 1;
+    for (int i = 0; i < exponent; ++i) product *= base;
+    return product;
+  };
+  const mpq_class up = 1 + kUnit, down = 1 - kUnit;
+  // How far a product of entries as computed may be off: their own errors, two roundings of each minor, one
+  // of the product, three of the sums. The sum of the sizes has as many roundings, all down, and the bound
+  // one more.
+  const auto check = [&](double constant, const Tracked& d, const Tracked& l) {
+    const mpq_class minors = power(1 + d.error, 3) * (1 + l.error) * power(up, 4);
+    const mpq_class error = minors * power(up, 4) - 1;
+    CHECK(mpq_class(constant) * power(down, 9) >= error);
+    CHECK(mpq_class(constant) - kUnit < error);
+  };
+  check(filters::kTermsError, kExact, lift(false, 3));
+  check(filters::kRoundedTermsError, kRounded, lift(true, 3));
+}
+
+TEST_CASE("range of lifted terms") {
+  const auto row = [](double x, double y, double z) {
+    const Vec3 d{x, y, z};
+    return LiftedRow(d, dot(d, d));
+  };
+  const auto terms = [&](double side) {
+    return lifted_terms(row(side, 0, 0), row(0, side, 0), row(0, 0, side), row(side, side, side));
+  };
+  const double unbounded = std::numeric_limits<double>::infinity();
+  CHECK(terms(1) == 6);  // one term of each unit lift, and one of the diagonal, which is 3
+  CHECK(terms(0x1p-90) < unbounded);
+  CHECK(terms(0x1p-120) == unbounded);
+  CHECK(terms(0x1p149) < unbounded);
+  CHECK(terms(0x1p151) == unbounded);
+  CHECK(terms(0x1p600) == unbounded);
+  CHECK(terms(std::numeric_limits<double>::quiet_NaN()) == unbounded);
+  // Underflows times an entry and a lift, or three entries, within the room of the least bound.
+  const mpq_class high(filters::kLargest);
+  const mpq_class underflow = mpq_class(0x1p-1074) * 100 * high * high * high * 3;
+  CHECK(underflow < mpq_class(0x1p-500) * mpq_class(filters::kTermsError) * kUnit);
 }
 
 TEST_CASE("constants on the lattice: exact differences") {
