@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 
 #include "cell_topology.h"
 #include "disjoint_sets.h"
@@ -59,21 +60,58 @@ bool is_as_good(const CellTopology& now, const CellTopology& before) {
          now.outsides <= before.outsides;
 }
 
+/// Sets of cracks are tried as a whole, then by halves where that is not good: few are bad.
+class Refill {
+ public:
+  Refill(const CellComplex& complex, const Ground& ground, std::vector<std::uint8_t>& kept)
+      : complex_(complex), ground_(ground), kept_(kept), topology_(count_topology(complex, ground, kept)) {}
+
+  void run(std::span<const Crack> cracks) {
+    std::vector<std::span<const Crack>> next;
+    if (!cracks.empty()) next.push_back(cracks);
+    while (!next.empty() && trials_ < kMostTrials) {
+      const std::span<const Crack> set = next.back();
+      next.pop_back();
+      if (fill(set) || set.size() == 1) continue;
+      next.push_back(set.subspan(set.size() / 2));
+      next.push_back(set.first(set.size() / 2));
+    }
+  }
+
+ private:
+  static constexpr int kMostTrials = 40;  ///< each costs a count of the cell
+
+  bool fill(std::span<const Crack> set) {
+    ++trials_;
+    mark(set, 1);
+    const CellTopology now = count_topology(complex_, ground_, kept_);
+    const bool good = is_as_good(now, topology_);
+    if (good) {
+      topology_ = now;
+    } else {
+      mark(set, 0);
+    }
+    return good;
+  }
+
+  void mark(std::span<const Crack> set, std::uint8_t flag) {
+    for (const Crack& crack : set)
+      for (const std::uint32_t t : crack) kept_[t] = flag;
+  }
+
+  const CellComplex& complex_;
+  const Ground& ground_;
+  std::vector<std::uint8_t>& kept_;
+  CellTopology topology_;
+  int trials_ = 0;
+};
+
 }  // namespace
 
 void refill_cracks(const CellComplex& complex, const Ground& ground, const std::vector<std::uint8_t>& allowed,
                    std::vector<std::uint8_t>& kept) {
-  CellTopology before = count_topology(complex, ground, kept);
-  for (const bool wide : {true, false})
-    for (const Crack& crack : find_cracks(complex, allowed, kept, wide)) {
-      for (const std::uint32_t t : crack) kept[t] = 1;
-      const CellTopology now = count_topology(complex, ground, kept);
-      if (is_as_good(now, before)) {
-        before = now;
-      } else {
-        for (const std::uint32_t t : crack) kept[t] = 0;
-      }
-    }
+  Refill refill(complex, ground, kept);
+  for (const bool wide : {true, false}) refill.run(find_cracks(complex, allowed, kept, wide));
 }
 
 }  // namespace crossloft

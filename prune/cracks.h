@@ -11,8 +11,8 @@ namespace crossloft {
 
 /// Growth by single moves can stop at a crack: its first tetrahedron would make a handle that the last one
 /// fills again. Adds each connected part of `allowed` outside of `kept` as a whole where the solid keeps the
-/// number of its bodies, gets no hole and no handle, and closes off nothing that was open.
-/// O(parts x cell); parts in canonical order.
+/// number of its bodies, gets no hole and no handle, and closes off nothing that was open. At most 40 sets of
+/// parts are tried, each by a count of the cell, in canonical order.
 void refill_cracks(const CellComplex& complex, const Ground& ground, const std::vector<std::uint8_t>& allowed,
                    std::vector<std::uint8_t>& kept);
 

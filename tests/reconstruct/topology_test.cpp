@@ -1,0 +1,105 @@
+/// The mode natural on solids whose topology is known, and what the user can steer.
+
+#include "../../inspect/check.h"
+#include "../../inspect/slice.h"
+#include "../../inspect/solids.h"
+#include "scenes.h"
+
+using namespace crossloft;
+using namespace crossloft::test;
+
+namespace {
+
+Reconstruction cut_and_rebuild(const Surface& mesh, const std::vector<CuttingPlane>& planes, const Options& options = {}) {
+  const auto sections = slice(mesh, planes);
+  REQUIRE(sections.ok());
+  auto r = reconstruct(*sections, options);
+  REQUIRE(r.ok());
+  CHECK(check_surface(r->surface).good_topology());
+  return std::move(r).value();
+}
+
+Options with_mode(PruneMode mode) {
+  Options options;
+  options.mode = mode;
+  return options;
+}
+
+/// A box with a square section that two planes cut; `gap` apart along x are two such boxes.
+Sections two_columns(double gap) {
+  Sections sections;
+  for (const double z : {0.0, 1.0}) {
+    PlaneSection plane;
+    plane.normal = {0, 0, 1};
+    plane.offset = -z;
+    for (std::uint32_t k = 0; k < 2; ++k) {
+      const double x = k * (1 + gap);
+      const auto first = static_cast<std::uint32_t>(plane.vertices.size());
+      for (const Vec3& v : {Vec3{x, 0, z}, Vec3{x + 1, 0, z}, Vec3{x + 1, 1, z}, Vec3{x, 1, z}}) plane.vertices.push_back(v);
+      for (std::uint32_t i = 0; i < 4; ++i) plane.edges.push_back({first + i, first + (i + 1) % 4, 1, 0, k});
+    }
+    sections.planes.push_back(plane);
+  }
+  return sections;
+}
+
+}  // namespace
+
+TEST_CASE("a torus by ten to forty-five planes is a torus, whatever joint makes of it") {
+  const Surface mesh = torus(1, 0.4, 80, 40);
+  for (const std::uint32_t count : {10u, 16u, 45u}) {
+    CAPTURE(count);
+    const auto planes = random_planes(bounds_of(mesh.points), count, 2);
+    const Reconstruction r = cut_and_rebuild(mesh, planes);
+    const CheckReport report = check_surface(r.surface);
+    CHECK(report.genus == 1);
+    CHECK(report.components.size() == 1);
+    CHECK(r.report.topology.handles == 0);
+    CHECK(r.report.topology.voids == 0);
+  }
+}
+
+TEST_CASE("handles that joint makes are gone, and every section is still met") {
+  const Surface mesh = genus2_solid(40);
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    CAPTURE(seed);
+    const auto planes = random_planes(bounds_of(mesh.points), 24, seed);
+    const Reconstruction joint = cut_and_rebuild(mesh, planes, with_mode(PruneMode::joint));
+    CHECK(joint.report.topology.handles > 0);
+    const Reconstruction natural = cut_and_rebuild(mesh, planes);
+    CHECK(natural.report.topology.handles == 0);
+    CHECK(check_surface(natural.surface).genus < check_surface(joint.surface).genus);
+    const SectionCheck check = check_sections(natural.surface, natural.sections);
+    for (std::size_t p = 0; p < check.planes.size(); ++p)
+      CHECK(check.planes[p].difference_area() <= natural.report.planes[p].flat_area + 1e-6 * natural.report.section_area);
+  }
+}
+
+TEST_CASE("two columns stay two; a request keeps even one column's ends apart") {
+  const Sections sections = two_columns(1.5);
+  const auto r = reconstruct(sections);
+  REQUIRE(r.ok());
+  CHECK(check_surface(r->surface).components.size() == 2);
+  CHECK(r->report.topology.joins == 2);
+
+  Options apart;
+  apart.joins.push_back({0, 0, 1, 0, false});
+  const auto cut = reconstruct(sections, apart);
+  REQUIRE(cut.ok());
+  CHECK(cut->report.topology.joins == 1);
+  CHECK(cut->report.topology.refused_joins >= 1);
+}
+
+TEST_CASE("a join below the wanted confidence is refused and reported, and a request overrides that") {
+  Options strict;
+  strict.natural.join_confidence = 1;
+  const Sections sections = two_columns(1.5);
+  const auto r = reconstruct(sections, strict);
+  REQUIRE(r.ok());
+  CHECK(r->report.topology.joins == 0);
+  CHECK(r->report.topology.refused_joins >= 2);
+  strict.joins.push_back({0, 1, 1, 1, true});
+  const auto one = reconstruct(sections, strict);
+  REQUIRE(one.ok());
+  CHECK(one->report.topology.joins == 1);
+}
