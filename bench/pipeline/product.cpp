@@ -1,0 +1,9 @@
+#include "run.h"
+
+namespace pipeline_bench {
+
+Way product(const std::string& path) {
+  return {"crossloft", true, {"crossloft"}, [path] { return crossloft::bench::run(path); }, {}};
+}
+
+}  // namespace pipeline_bench
