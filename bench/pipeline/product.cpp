@@ -3,7 +3,8 @@
 namespace pipeline_bench {
 
 Way product(const std::string& path) {
-  return {"crossloft", true, {"crossloft"}, [path] { return crossloft::bench::run(path); }, {}};
+  return {
+      "crossloft", true, {"crossloft"}, [path] { return crossloft::bench::run(path, kLeastSeconds); }, {}};
 }
 
 }  // namespace pipeline_bench

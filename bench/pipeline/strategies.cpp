@@ -131,7 +131,7 @@ template <class S>
 Way way(const std::string& path, const Extents& extents) {
   const auto run_it = [path, answers = std::make_shared<ByStrategy<S>>(extents)] {
     let_answer(*answers);
-    return run(path);
+    return run(path, pipeline_bench::kLeastSeconds);
   };
   Way way{std::string(S::kName), S::kGuarantee == Guarantee::exact, {}, run_it, [path, extents] {
             return count<S>(path, extents);

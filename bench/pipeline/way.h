@@ -32,6 +32,9 @@ struct Outcome {
 };
 static_assert(std::is_trivially_copyable_v<Outcome>);
 
+/// What a timed run takes at least.
+inline constexpr double kLeastSeconds = 0.25;
+
 struct Way {
   std::string name;
   bool exact = false;
