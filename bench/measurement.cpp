@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "../io/svg.h"
+#include "output.h"
 
 namespace crossloft::bench {
 namespace {
@@ -22,12 +23,6 @@ std::size_t calls_for(const Contestant& contestant, double seconds, std::size_t 
   double taken = seconds_of(contestant, calls);
   while (taken < seconds / 2) calls *= 2, taken = seconds_of(contestant, calls);
   return calls;
-}
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 /// Different values in the order of their first appearance.
@@ -99,22 +94,6 @@ std::string percents(const std::vector<double>& shares) {
   return text;
 }
 
-std::string json_strings(const std::vector<std::string>& values) {
-  std::string text;
-  for (const std::string& v : values) text += (text.empty() ? "\"" : ", \"") + v + "\"";
-  return "[" + text + "]";
-}
-
-std::string json_numbers(const std::vector<double>& values) {
-  std::string text;
-  for (const double v : values) {
-    char number[32];
-    std::snprintf(number, sizeof number, "%s%.6g", text.empty() ? "" : ", ", v);
-    text += number;
-  }
-  return "[" + text + "]";
-}
-
 constexpr std::array<const char*, 8> kColours{"#1f77b4", "#ff7f0e", "#2ca02c", "#d62728",
                                               "#9467bd", "#8c564b", "#e377c2", "#17becf"};
 
@@ -171,6 +150,12 @@ void draw_panel(SvgWriter& svg, const Panel& panel, const std::vector<Measuremen
 }
 
 }  // namespace
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
 
 std::vector<double> take_turns(std::vector<Contestant> contestants, int repetitions, double turn_seconds,
                                std::size_t least_calls) {

@@ -26,6 +26,9 @@ struct Contestant {
   std::vector<double> samples{};
 };
 
+/// The upper one of an even number. REQUIRES: not empty.
+double median(std::vector<double> values);
+
 /// Nanoseconds per call, medians over `repetitions` rounds in which all contestants take turns; each turn is
 /// as many calls as take some `turn_seconds`, `least_calls` of them or more.
 std::vector<double> take_turns(std::vector<Contestant> contestants, int repetitions, double turn_seconds,

@@ -16,6 +16,7 @@
 #include "../geom/strategies/list.h"
 #include "../io/read_sections.h"
 #include "measurement.h"
+#include "output.h"
 #include "predicate_cases.h"
 #include "predicate_questions.h"
 
@@ -106,15 +107,6 @@ std::vector<Vec3> contour_points(const std::string& path) {
   return points;
 }
 
-bool write(const std::string& path, const std::string& text) {
-  if (path.empty()) return true;
-  std::FILE* file = std::fopen(path.c_str(), "wb");
-  const bool written = file != nullptr && std::fwrite(text.data(), 1, text.size(), file) == text.size();
-  const bool closed = file != nullptr && std::fclose(file) == 0;
-  if (!written || !closed) std::fprintf(stderr, "cannot write %s\n", path.c_str());
-  return written && closed;
-}
-
 bool parse(int argc, char** argv, Options& options) {
   const std::map<std::string, std::string*> texts{{"--json", &options.json},
                                                   {"--picture", &options.picture},
@@ -154,5 +146,5 @@ int main(int argc, char** argv) {
                               all);
   measure_all<LatticeQuestions>(lattice_cases(kCount, options.seed, store), options, all);
   print_tables(all);
-  return write(options.json, to_json(all)) && write(options.picture, to_svg(all)) ? 0 : 3;
+  return write_file(options.json, to_json(all)) && write_file(options.picture, to_svg(all)) ? 0 : 3;
 }

@@ -29,6 +29,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "../geom/inline_filters.h"
 #include "local_vertices.h"
 #include "perturbation.h"
 #include "scratch.h"
@@ -106,7 +107,7 @@ class Inserter {
     Facet base, outside;
     std::array<std::uint32_t, 3> numbers;
   };
-  static constexpr bool kLifts = D == 3 && LiftsPoints<P>;
+  static constexpr bool kLifts = D == 3 && LiftsPoints<P> && kInlineFilters;
   static constexpr bool kNumbersVertices = D == 3 || HasHeights<P>;
 
   /// The cell of a facet is owned. REQUIRES: so is the one on its other side: all vertices but one are the

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "../geom/inline_filters.h"
 #include "../geom/static_bounds.h"
 #include "point_predicates.h"
 
@@ -65,10 +66,14 @@ class LatticePredicates2 {
   std::uint32_t size() const { return static_cast<std::uint32_t>(points_->size()); }
   double coordinate(std::uint32_t i, int axis) const { return (*points_)[i][axis == 0 ? first_ : second_]; }
   int orient2d(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
+    if constexpr (!kInlineFilters)
+      return crossloft::orient2d(plane_, (*points_)[a], (*points_)[b], (*points_)[c]);
     if (const int sign = orient2d_filter(plane_, (*points_)[a], (*points_)[b], (*points_)[c])) return sign;
     return orient2d_exact(plane_, (*points_)[a], (*points_)[b], (*points_)[c]);
   }
   int incircle(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) const {
+    if constexpr (!kInlineFilters)
+      return crossloft::incircle(plane_, (*points_)[a], (*points_)[b], (*points_)[c], (*points_)[d]);
     if (const int sign = incircle_filter(plane_, (*points_)[a], (*points_)[b], (*points_)[c], (*points_)[d]))
       return sign;
     return incircle_exact(plane_, (*points_)[a], (*points_)[b], (*points_)[c], (*points_)[d]);

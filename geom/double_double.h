@@ -1,27 +1,31 @@
 #pragma once
-/// Numbers of two doubles that know how wrong they may be: twice the digits of bounded.h, for any polynomial.
+/// Numbers of two doubles that know how wrong they may be: twice the digits of bounded.h, for any polynomial, and
+/// no error where everything fits, so that they decide zeros too.
 ///
-/// A DoubleDouble stands for a real number within `error` of high + low, where |low| <= u |high|, u = 2^-53.
-/// Differences of doubles are held exactly. The roundings of one operation on A = a + a', B = b + b' (high +
-/// low), to first order in u:
-///     sum      s + e = a + b exactly (two_sum); t = a' + b' rounds by u |t| <= u^2 (|a| + |b|);
-///              w = e + t by u |w| <= 2 u^2 (|a| + |b|); high + low = s + w exactly: 3 u^2 (|a| + |b|).
-///     product  p + e = a b exactly (two_product), P = |p|; a' b' <= u^2 P is dropped; a b' and a' b round by
-///              u^2 P each, their sum c by 2 u^2 P, w = e + c by 3 u^2 P; high + low = p + w: 8 u^2 P.
-/// Errors of the operands enter as in bounded.h: ea + eb, and |A| eb + |B| ea + ea eb. Higher orders of u and
-/// the at most eight roundings of the error itself are covered by kUp. In sums everything is a multiple of
-/// 2^-1074, the rounding errors too, so that a bound of them rounded to the nearest multiple still holds. A
-/// product below 2^-960 has its parts below 2^-985 and wrong by some 2^-1038: kTiny is above all that, and
-/// what rounds is relative above. Overflow, also that of splitting factors from 2^996 on, makes the value NaN
-/// or the error infinite: nothing is certain.
+/// A number stands for a real within `error` of high + low, |low| <= u |high|. Let A = a.high + a.low + a',
+/// |a'| <= ea, B alike, u = 2^-53.
+///   Sum: high parts by two_sum (s, e), low parts by two_sum (t, e'), then v = e + t by two_sum with rest
+///   e''.
+///     s + v differs from the true sum by a' + b' + e' + e'': the error is ea + eb + |e'| + |e''|.
+///   Product: high parts by two_product (p, e); c = a.high b.low + a.low b.high, three operations, each off
+///   by
+///     u of its result, together at most 2u (x + y)(1 + u) with x, y the sizes of the two products; a.low
+///     b.low is left out; v = e + c by two_sum with rest e''. The error is 4u (x + y) + |a.low b.low| + |e''|
+///     + (|b.high| + |b.low| + eb) ea + (|a.high| + |a.low|) eb, plus t = 2^-1000, far above the few 2^-1074
+///     that underflows cost, of the product and of the error alike.
+/// (s, v) is renormalised by two_sum, exactly. The errors are sums and products of numbers >= 0, at most 12
+/// rounded steps deep, each of which loses a factor 1 - u at most; (1 - u)^12 (1 + 16u) >= 1 restores them.
+/// A product with exact zero is exact zero, one of low parts 0 and representable has rests of 0: only t
+/// stays, which is left away if a.high, b.high are at least 2^-400, for then e is exact. Sums never underflow.
+/// Overflow, also that of splitting factors from 2^996 on, makes the value NaN or the error infinite: nothing
+/// is certain.
 ///
-/// Sources: T. J. Dekker, A floating-point technique for extending the available precision, 1971 (split,
-/// two_product); D. E. Knuth, The Art of Computer Programming 2, 4.2.2 (two_sum). The bounds are ours;
-/// tests/geom/double_double_test.cpp holds them against rationals.
+/// Sources: those of two_sum.h. The bounds are ours; tests/geom/double_double_test.cpp holds them against
+/// rationals.
 
 #include <cmath>
 
-#include "fp_check.h"
+#include "two_sum.h"
 
 namespace crossloft {
 
@@ -34,51 +38,45 @@ struct DoubleDouble {
 
   /// a + b and a - b, exactly.
   static DoubleDouble sum(double a, double b) {
-    const double s = a + b, from_b = s - a, from_a = s - from_b;
-    return {s, (a - from_a) + (b - from_b), 0};
+    const Exact2 s = two_sum(a, b);
+    return {s.high, s.low, 0};
   }
   static DoubleDouble difference(double a, double b) { return sum(a, -b); }
 
-  bool is_zero() const { return high == 0 && error == 0; }
-  /// The sign is known: the number is away from 0 or exactly 0.
-  bool is_certain() const { return std::abs(high) > error * kUp || is_zero(); }
+  bool is_zero() const { return high == 0 && low == 0 && error == 0; }
+  /// The sign is known: the number is away from 0 or exactly 0. The difference of its parts is exact up to u
+  /// of itself.
+  bool is_certain() const { return (std::fabs(high) - std::fabs(low)) * (1 - 0x1p-50) > error || is_zero(); }
   /// REQUIRES: is_certain().
   int sign() const { return high > 0 ? 1 : high < 0 ? -1 : 0; }
 
   friend DoubleDouble operator-(const DoubleDouble& a) { return {-a.high, -a.low, a.error}; }
   friend DoubleDouble operator+(const DoubleDouble& a, const DoubleDouble& b) {
-    const DoubleDouble s = sum(a.high, b.high);
-    DoubleDouble r = sum(s.high, s.low + (a.low + b.low));
-    r.error = (a.error + b.error + 3 * kSquare * (std::abs(a.high) + std::abs(b.high))) * kUp;
-    return r;
+    const Exact2 s = two_sum(a.high, b.high), t = two_sum(a.low, b.low), v = two_sum(s.low, t.high);
+    const Exact2 r = two_sum(s.high, v.high);
+    return {r.high, r.low, ((a.error + b.error) + (std::fabs(t.low) + std::fabs(v.low))) * kUp};
   }
   friend DoubleDouble operator-(const DoubleDouble& a, const DoubleDouble& b) { return a + -b; }
   friend DoubleDouble operator*(const DoubleDouble& a, const DoubleDouble& b) {
     if (a.is_zero() || b.is_zero()) return {};
-    const double p = a.high * b.high;
-    const double w = product_error(a.high, b.high, p) + (a.high * b.low + a.low * b.high);
-    DoubleDouble r = sum(p, w);
-    const double spread = std::abs(a.high) * b.error + (std::abs(b.high) + b.error) * a.error;
-    r.error = (spread + (8 * kSquare * std::abs(p) + kTiny)) * kUp;
-    return r;
+    const Exact2 p = two_product(a.high, b.high);
+    const double x = a.high * b.low, y = a.low * b.high;
+    const Exact2 v = two_sum(p.low, x + y), r = two_sum(p.high, v.high);
+    const double rounded =
+        0x1p-51 * (std::fabs(x) + std::fabs(y)) + std::fabs(a.low * b.low) + std::fabs(v.low);
+    const double spread = (std::fabs(b.high) + std::fabs(b.low) + b.error) * a.error +
+                          (std::fabs(a.high) + std::fabs(a.low)) * b.error;
+    return {r.high, r.low, (rounded + spread + tiny(a, b)) * kUp};
   }
 
  private:
-  static constexpr double kSquare = 0x1p-106, kUp = 1 + 0x1p-49, kTiny = 0x1p-1000;
+  static constexpr double kUp = 1 + 0x1p-49;
 
-  /// v = high + low, each of at most 26 bits.
-  struct Halves {
-    double high, low;
-    explicit Halves(double v) {
-      const double c = 0x1.0000002p27 * v;
-      high = c - (c - v);
-      low = v - high;
-    }
-  };
-  /// a b - p for p = a b rounded.
-  static double product_error(double a, double b, double p) {
-    const Halves x(a), y(b);
-    return ((x.high * y.high - p) + x.high * y.low + x.low * y.high) + x.low * y.low;
+  /// 0 for products that are exact as they are: no low parts, no errors, and high parts of at least 2^-400,
+  /// whose product's parts are multiples of 2^-904.
+  static double tiny(const DoubleDouble& a, const DoubleDouble& b) {
+    const bool plain = a.low == 0 && b.low == 0 && a.error == 0 && b.error == 0;
+    return plain && std::fabs(a.high) >= 0x1p-400 && std::fabs(b.high) >= 0x1p-400 ? 0 : 0x1p-1000;
   }
 };
 

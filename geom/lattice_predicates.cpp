@@ -292,6 +292,8 @@ int compare_lex(const LatticePoint& a, const LatticePoint& b) {
 
 bool equal(const LatticePoint& a, const LatticePoint& b) { return compare_lex(a, b) == 0; }
 
+#ifndef CROSSLOFT_BENCH_STRATEGIES  // there a strategy answers: bench/pipeline/routed_predicates.cpp
+
 int side_of_plane(const LatticePlane& plane, const LatticePoint& p) {
   if (const int sign = side_of_plane_filter(plane, p)) return sign;
   return side_of_plane_exact(plane, p);
@@ -320,5 +322,7 @@ int incircle(const LatticePlane& plane, const LatticePoint& a, const LatticePoin
   if (const int sign = incircle_filter(plane, a, b, c, d)) return sign;
   return incircle_exact(plane, a, b, c, d);
 }
+
+#endif
 
 }  // namespace crossloft

@@ -19,6 +19,7 @@
 #include <limits>
 #include <span>
 
+#include "inline_filters.h"
 #include "lattice_filters.h"
 #include "predicates.h"
 #include "weighted_filters.h"
@@ -62,6 +63,7 @@ inline int insphere(const StaticBounds& bounds, const Vec3& a, const Vec3& b, co
 
 inline int orient3d(const StaticBounds& bounds, const LatticePoint& a, const LatticePoint& b,
                     const LatticePoint& c, const LatticePoint& d) {
+  if constexpr (!kInlineFilters) return orient3d(a, b, c, d);
   using filters::difference;
   const double det = det3(difference(b, a), difference(c, a), difference(d, a));
   if (std::fabs(det) > bounds.orient3d) [[likely]]
@@ -71,6 +73,7 @@ inline int orient3d(const StaticBounds& bounds, const LatticePoint& a, const Lat
 
 inline int insphere(const StaticBounds& bounds, const LatticePoint& a, const LatticePoint& b,
                     const LatticePoint& c, const LatticePoint& d, const LatticePoint& e) {
+  if constexpr (!kInlineFilters) return insphere(a, b, c, d, e);
   using filters::difference;
   const double det =
       filters::insphere(difference(a, e), difference(b, e), difference(c, e), difference(d, e)).det;

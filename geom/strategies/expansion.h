@@ -15,10 +15,10 @@
 #include <memory>
 #include <utility>
 
+#include "../two_sum.h"
 #include "lattice_pieces.h"
 #include "number_range.h"
 #include "number_strategy.h"
-#include "two_sum.h"
 
 namespace crossloft::strategies {
 

@@ -70,7 +70,7 @@ class FixedIntegers {
   }
   Verdict side_of_meet(const LatticePlane& a, const LatticePlane& b, const LatticePlane& c,
                        const LatticePlane& q) const {
-    return crossloft::side_of_meet(a, b, c, q);
+    return side_of_meet_exact(a, b, c, q);
   }
 
  private:

@@ -1,5 +1,6 @@
 #pragma once
-/// side_of_meet in doubles with a bound, for the filters; the product goes to its integers at once.
+/// side_of_meet in doubles for the static filter: its bound is made of the largest values of all data, that of
+/// plane_predicates.h of the columns of each call.
 ///
 /// Normals and differences of origins are integers that doubles hold. With n the largest |N_k| and d the
 /// largest difference, `a : b` as in difference_filters.h: offset, in n d: products 1 : 1, first sum 2 : 4,
@@ -14,9 +15,9 @@ namespace crossloft::strategies {
 
 inline constexpr double kMeetError = 540 * filters::kU * filters::kRoom;
 
-/// Both determinants, the largest normal component and the largest difference of origins.
+/// Both determinants.
 struct MeetEstimate {
-  double orientation, value, normals, differences;
+  double orientation, value;
 };
 
 inline MeetEstimate meet_estimate(const LatticePlane& a, const LatticePlane& b, const LatticePlane& c,
@@ -28,11 +29,8 @@ inline MeetEstimate meet_estimate(const LatticePlane& a, const LatticePlane& b, 
     return explicit_row<D>(kSpace, make_point(p.origin), origin);
   };
   const auto da = from(a), db = from(b), dc = from(c);
-  const auto size = [](const auto& r) { return filters::largest(r.x, r.y, r.z); };
   return {det3(na, nb, nc),
-          dot3(na, da) * det3(nb, nc, nq) + dot3(nb, db) * det3(nc, na, nq) + dot3(nc, dc) * det3(na, nb, nq),
-          std::max(std::max(size(na), size(nb)), std::max(size(nc), size(nq))),
-          std::max(std::max(size(da), size(db)), size(dc))};
+          dot3(na, da) * det3(nb, nc, nq) + dot3(nb, db) * det3(nc, na, nq) + dot3(nc, dc) * det3(na, nb, nq)};
 }
 
 /// +-1, or 0 if it cannot tell, for bounds on the normals and differences.

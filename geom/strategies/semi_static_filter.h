@@ -4,8 +4,8 @@
 
 #include "../double_filters.h"
 #include "../lattice_filters.h"
+#include "../plane_predicates.h"
 #include "../weighted_filters.h"
-#include "meet_filter.h"
 #include "strategy.h"
 
 namespace crossloft::strategies {
@@ -51,8 +51,7 @@ class SemiStaticFilter {
   }
   Verdict side_of_meet(const LatticePlane& a, const LatticePlane& b, const LatticePlane& c,
                        const LatticePlane& q) const {
-    const MeetEstimate e = meet_estimate(a, b, c, q);
-    return verdict(meet_verdict(e, e.normals, e.differences));
+    return verdict(side_of_meet_filter(a, b, c, q));
   }
 
  private:

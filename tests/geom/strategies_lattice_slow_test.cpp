@@ -4,42 +4,21 @@
 // Around an exactly degenerate configuration one point takes all integer places of a square, the finest there
 // are; in half of the configurations another point is rational.
 
-#include <doctest/doctest.h>
-
 #include "../../bench/predicate_questions.h"
-#include "../../geom/strategies/list.h"
+#include "around_zero.h"
 #include "lattice_samples.h"
 
 using namespace crossloft;
 using namespace crossloft::strategies;
+using around_zero::Tally;
 
 namespace {
 
-constexpr std::uint64_t kSeed = 20261125;
-constexpr std::int64_t kTarget = 10'000'000;
 constexpr std::int64_t kRadius = 48;
 constexpr std::int64_t kFar = std::int64_t{1} << 48, kSteps = std::int64_t{1} << 27;
 
 using Watched = std::tuple<StaticFilter, SemiStaticFilter, IntervalStrategy, Ball, DoubleDoubleStrategy,
                            Cascade<SemiStaticFilter, DoubleDoubleStrategy, FixedIntegers>, Crossloft>;
-
-struct Tally {
-  std::int64_t inputs = 0, zeros = 0, positive = 0, wrong = 0;
-};
-
-template <class Q>
-void judge(const bench::LatticeCase& c, const Watched& watched, Tally& tally) {
-  const Verdict expected = Q::ask(FixedIntegers(), c);
-  ++tally.inputs, tally.zeros += expected == 0, tally.positive += expected > 0;
-  std::apply(
-      [&]<class... S>(const S&... s) {
-        const auto contradicts = [&](Verdict v, Guarantee g) {
-          return v != expected && (v != kUnknown || g == Guarantee::exact);
-        };
-        ((tally.wrong += contradicts(Q::ask(s, c), S::kGuarantee)), ...);
-      },
-      watched);
-}
 
 LatticeVector moved(const LatticeVector& p, std::int64_t i, const LatticeVector& u, std::int64_t j,
                     const LatticeVector& v) {
@@ -57,29 +36,22 @@ void sweep(bench::LatticeCase& c, const Move& move, Tally& tally) {
   for (std::int64_t i = -kRadius; i <= kRadius; ++i)
     for (std::int64_t j = -kRadius; j <= kRadius; ++j) {
       move(i, j);
-      judge<Q>(c, watched, tally);
+      around_zero::judge<Q>(c, watched, tally);
     }
 }
 
 /// configure(generator, store, case, tally) sweeps one configuration.
 template <class Q, class Configure>
-void around_zero(const Configure& configure) {
-  MESSAGE(std::string(Q::kName) << ", seed " << kSeed);
-  samples::Generator random(kSeed);
-  Tally tally;
-  while (tally.inputs < kTarget) {
+void sweep_all(const Configure& configure) {
+  samples::Generator random(around_zero::kSeed);
+  around_zero::ask_enough<Q>([&](Tally& tally) {
     LatticePointStore store;
     bench::LatticeCase c;
     c.plane = random.plane(kNormalLimit, kFar);
     c.planes = {c.plane, c.plane, c.plane, c.plane};
     c.points.fill(make_point(c.plane.origin)), c.in_plane.fill(c.points[0]);
     configure(random, store, c, tally);
-  }
-  MESSAGE(tally.inputs << " inputs, " << tally.zeros << " zero, " << tally.positive << " positive");
-  CHECK(tally.wrong == 0);
-  CHECK(tally.zeros > 0);
-  CHECK(tally.positive > tally.inputs / 10);
-  CHECK(tally.positive < tally.inputs * 9 / 10);
+  });
 }
 
 /// Another plane's point on c.plane, or false.
@@ -143,16 +115,16 @@ void concurrent(samples::Generator& random, LatticePointStore&, bench::LatticeCa
 }  // namespace
 
 TEST_CASE("orient3d of lattice points") {
-  around_zero<bench::LatticeOrient3d>(coplanar<bench::LatticeOrient3d, 3>);
+  sweep_all<bench::LatticeOrient3d>(coplanar<bench::LatticeOrient3d, 3>);
 }
 TEST_CASE("insphere of lattice points") {
-  around_zero<bench::LatticeInsphere>(coplanar<bench::LatticeInsphere, 4>);
+  sweep_all<bench::LatticeInsphere>(coplanar<bench::LatticeInsphere, 4>);
 }
-TEST_CASE("side_of_plane") { around_zero<bench::SideOfPlane>(coplanar<bench::SideOfPlane, 0>); }
+TEST_CASE("side_of_plane") { sweep_all<bench::SideOfPlane>(coplanar<bench::SideOfPlane, 0>); }
 TEST_CASE("orient2d in a plane") {
-  around_zero<bench::LatticeOrient2d>(collinear<bench::LatticeOrient2d, 2>);
+  sweep_all<bench::LatticeOrient2d>(collinear<bench::LatticeOrient2d, 2>);
 }
 TEST_CASE("incircle in a plane") {
-  around_zero<bench::LatticeIncircle>(collinear<bench::LatticeIncircle, 3>);
+  sweep_all<bench::LatticeIncircle>(collinear<bench::LatticeIncircle, 3>);
 }
-TEST_CASE("side_of_meet") { around_zero<bench::SideOfMeet>(concurrent); }
+TEST_CASE("side_of_meet") { sweep_all<bench::SideOfMeet>(concurrent); }

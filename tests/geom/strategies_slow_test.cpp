@@ -4,44 +4,22 @@
 // Around an exactly degenerate configuration of integers one point takes all places of a square of ulps, as
 // in the well-known pictures of orient2d; the exact sign is that of fixed-width integers.
 
-#include <doctest/doctest.h>
-
 #include <cmath>
 #include <random>
 
 #include "../../bench/predicate_questions.h"
-#include "../../geom/strategies/list.h"
+#include "around_zero.h"
 
 using namespace crossloft;
 using namespace crossloft::strategies;
+using around_zero::Tally;
 
 namespace {
 
-constexpr std::uint64_t kSeed = 20261125;
-constexpr std::int64_t kTarget = 10'000'000;
 constexpr int kRadius = 48;  // ulps: (2 * 48 + 1)^2 places
 
 using Watched = std::tuple<StaticFilter, SemiStaticFilter, IntervalStrategy, Ball, DoubleDoubleStrategy,
                            Cascade<SemiStaticFilter, Expansions>, Crossloft>;
-
-struct Tally {
-  std::int64_t inputs = 0, zeros = 0, wrong = 0;
-  std::int64_t positive = 0;
-};
-
-template <class Q, class Case>
-void judge(const Case& c, const Watched& watched, Tally& tally) {
-  const Verdict expected = Q::ask(FixedIntegers(), c);
-  ++tally.inputs, tally.zeros += expected == 0, tally.positive += expected > 0;
-  std::apply(
-      [&]<class... S>(const S&... s) {
-        const auto contradicts = [&](Verdict v, Guarantee g) {
-          return v != expected && (v != kUnknown || g == Guarantee::exact);
-        };
-        ((tally.wrong += contradicts(Q::ask(s, c), S::kGuarantee)), ...);
-      },
-      watched);
-}
 
 class Random {
  public:
@@ -83,26 +61,19 @@ void sweep(Case c, std::size_t moved, std::size_t axis, std::size_t other, Tally
   for (int i = -kRadius; i <= kRadius; ++i)
     for (int j = -kRadius; j <= kRadius; ++j) {
       place(i, j);
-      judge<Q>(c, watched, tally);
+      around_zero::judge<Q>(c, watched, tally);
     }
 }
 
 /// Degenerate cases until there are enough inputs; make(random) has all points on one line, plane, circle or
 /// sphere, at coordinates of some 2^-6..2^6 units.
 template <class Q, class Make>
-void around_zero(const Make& make, std::size_t points, std::size_t axes) {
-  MESSAGE(std::string(Q::kName) << ", seed " << kSeed);
-  Random random(kSeed);
-  Tally tally;
-  while (tally.inputs < kTarget) {
+void sweep_all(const Make& make, std::size_t points, std::size_t axes) {
+  Random random(around_zero::kSeed);
+  around_zero::ask_enough<Q>([&](Tally& tally) {
     const std::size_t axis = random.index(axes);
     sweep<Q>(make(random), random.index(points), axis, (axis + 1) % axes, tally);
-  }
-  MESSAGE(tally.inputs << " inputs, " << tally.zeros << " zero, " << tally.positive << " positive");
-  CHECK(tally.wrong == 0);
-  CHECK(tally.zeros > 0);
-  CHECK(tally.positive > tally.inputs / 10);
-  CHECK(tally.positive < tally.inputs * 9 / 10);
+  });
 }
 
 double scaled(double whole, Random& random) { return std::ldexp(whole, -static_cast<int>(random.index(8))); }
@@ -170,8 +141,8 @@ bench::SpaceCase on_lifted_plane(Random& random) {
 
 }  // namespace
 
-TEST_CASE("orient2d") { around_zero<bench::Orient2d>(on_line, 3, 2); }
-TEST_CASE("orient3d") { around_zero<bench::Orient3d>(on_plane, 4, 3); }
-TEST_CASE("incircle") { around_zero<bench::Incircle>(on_circle, 4, 2); }
-TEST_CASE("insphere") { around_zero<bench::Insphere>(on_sphere, 5, 3); }
-TEST_CASE("power_test") { around_zero<bench::PowerTest>(on_lifted_plane, 5, 3); }
+TEST_CASE("orient2d") { sweep_all<bench::Orient2d>(on_line, 3, 2); }
+TEST_CASE("orient3d") { sweep_all<bench::Orient3d>(on_plane, 4, 3); }
+TEST_CASE("incircle") { sweep_all<bench::Incircle>(on_circle, 4, 2); }
+TEST_CASE("insphere") { sweep_all<bench::Insphere>(on_sphere, 5, 3); }
+TEST_CASE("power_test") { sweep_all<bench::PowerTest>(on_lifted_plane, 5, 3); }

@@ -1,12 +1,12 @@
 #pragma once
 /// Sums and products of two doubles without loss: the rounded result and what was rounded away. Exact unless
-/// something over- or underflows (number_range.h); no fused multiply-add.
+/// something over- or underflows; no fused multiply-add.
 /// Source: T. J. Dekker, A floating-point technique for extending the available precision, 1971; D. E. Knuth,
 /// The Art of Computer Programming, volume 2, 4.2.2.
 
-#include "../fp_check.h"
+#include "fp_check.h"
 
-namespace crossloft::strategies {
+namespace crossloft {
 
 /// high + low is the exact result, high the rounded one.
 struct Exact2 {
@@ -37,4 +37,4 @@ inline Exact2 two_product(double a, double b, Exact2 halves) {
 }
 inline Exact2 two_product(double a, double b) { return two_product(a, b, split(b)); }
 
-}  // namespace crossloft::strategies
+}  // namespace crossloft
