@@ -17,7 +17,9 @@ void print_summary(Terminal& terminal, const Report& report) {
   terminal.print("branching    %u samples on %u faces\n", report.branching_samples, report.branching_faces);
   terminal.print("flat         %u regions, area %.6g of %.6g\n", report.flat_regions, report.flat_area,
                  report.section_area);
-  terminal.print("pinched      %u vertices, %u edges\n", report.pinched_vertices, report.pinched_edges);
+  terminal.print("pinched      %u vertices, %u edges; %u copies moved apart, %u left touching\n",
+                 report.pinched_vertices, report.pinched_edges, report.separated_copies,
+                 report.touching_copies);
   terminal.print("seconds      %.3g\n", report.seconds.total);
 }
 
