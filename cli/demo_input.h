@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "../inspect/bounds.h"
+#include "../geom/bounds.h"
 #include "../inspect/slice.h"
 
 namespace crossloft::cli {

@@ -135,6 +135,8 @@ void add_reconstruct(CLI::App& program, ExitCode& outcome) {
                    "0: none; the solid then meets the sections of --dump-sections")
       ->capture_default_str()
       ->check(CLI::Range(0.0, 1.0));
+  command->add_flag("!--keep-touching", a.options.separate,
+                    "leave vertices that the surface has twice where it touches itself in one place");
   command->add_option("--report", a.report, "also a report (docs/report.md)")->check(extension_in({".json"}));
   command->add_option("--picture", a.picture, "also a picture of sections and surface")
       ->check(extension_in({".png"}));

@@ -12,7 +12,7 @@ Json to_json(const StageSeconds& s) {
           {"crossings", s.crossings}, {"faces", s.faces},
           {"branching", s.branching}, {"delaunay", s.delaunay},
           {"pruning", s.pruning},     {"gluing", s.gluing},
-          {"total", s.total}};
+          {"separating", s.separating}, {"total", s.total}};
 }
 
 Json to_json(const PlaneReport& p) {
@@ -85,7 +85,8 @@ Json to_json(const Options& o) {
           {"match_tolerance", o.match_tolerance},
           {"plane_tolerance", o.plane_tolerance},
           {"on_tolerance", o.on_tolerance},
-          {"simplify", o.simplify}};
+          {"simplify", o.simplify},
+          {"separate", o.separate}};
 }
 
 Json input_part(const Report& r) {
@@ -123,6 +124,9 @@ Json result_part(const Report& r) {
           {"triangles", r.surface_triangles},
           {"vertices", r.surface_vertices},
           {"vertex_copies", r.vertex_copies},
+          {"separated_copies", r.separated_copies},
+          {"touching_copies", r.touching_copies},
+          {"separation", r.separation},
           {"volume", r.volume},
           {"flat_area", r.flat_area},
           {"flat_regions", r.flat_regions},

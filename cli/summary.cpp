@@ -30,7 +30,9 @@ void print_summary(Terminal& terminal, const Report& report) {
   print_topology(terminal, report.topology);
   terminal.print("flat         %u regions, area %.6g of %.6g\n", report.flat_regions, report.flat_area,
                  report.section_area);
-  terminal.print("pinched      %u vertices, %u edges\n", report.pinched_vertices, report.pinched_edges);
+  terminal.print("pinched      %u vertices, %u edges; %u copies moved apart, %u left touching\n",
+                 report.pinched_vertices, report.pinched_edges, report.separated_copies,
+                 report.touching_copies);
   terminal.print("seconds      %.3g\n", report.seconds.total);
 }
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "box_tree.h"
-#include "crossing.h"
+#include "../geom/box_tree.h"
+#include "../geom/triangle_meeting.h"
 #include "surface_topology.h"
 
 namespace crossloft {

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "box_tree.h"
+#include "../geom/box_tree.h"
 #include "surface_topology.h"
 #include "triangle_distance.h"
 

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "box_tree.h"
+#include "../geom/box_tree.h"
 
 namespace crossloft {
 

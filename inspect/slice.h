@@ -8,7 +8,7 @@
 #include "../arrangement/sections.h"
 #include "../geom/result.h"
 #include "../reconstruct/surface.h"
-#include "bounds.h"
+#include "../geom/bounds.h"
 
 namespace crossloft {
 

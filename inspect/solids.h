@@ -6,7 +6,7 @@
 #include <functional>
 
 #include "../reconstruct/surface.h"
-#include "bounds.h"
+#include "../geom/bounds.h"
 
 namespace crossloft {
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "crossing.h"
+#include "../geom/triangle_meeting.h"
 
 namespace crossloft {
 

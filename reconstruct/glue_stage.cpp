@@ -4,6 +4,7 @@
 
 #include "assemble.h"
 #include "flats.h"
+#include "section_confinement.h"
 #include "self_check.h"
 
 namespace crossloft {
@@ -20,6 +21,7 @@ Result<Done> Pipeline::glue_cells() {
   result_.surface = assemble_surface(*glued, numbering_, framed_.grid);
   if (observer_) observer_->on_solid(tets_, numbering_);
   Report& report = result_.report;
+  report.volume = enclosed_volume(result_.surface);
   report.pinched_vertices = glued->pinched_vertices;
   report.pinched_edges = glued->pinched_edges;
   report.split_edges = glued->split_edges;
@@ -27,10 +29,23 @@ Result<Done> Pipeline::glue_cells() {
   report.solid_tets = static_cast<std::uint32_t>(result_.solid.tets.size());
   report.surface_triangles = static_cast<std::uint32_t>(result_.surface.triangles.size());
   report.surface_vertices = static_cast<std::uint32_t>(result_.surface.points.size());
-  report.volume = enclosed_volume(result_.surface);
   report_planes();
   report.seconds.gluing = watch_.lap();
+  separate(*glued);
+  report.seconds.separating = watch_.lap();
   return Done{};
+}
+
+/// Moves vertices of the surface alone: the solid keeps its points, and the report its volume.
+void Pipeline::separate(const GluedSurface& glued) {
+  Report& report = result_.report;
+  report.touching_copies = glued.copies;
+  if (!options_.separate || glued.copies == 0) return;
+  const SectionConfinement confinement(graph_, faces_, numbering_, framed_.grid, glued);
+  const Separation separation = separate_copies(result_.surface, glued.vertices, confinement);
+  report.separated_copies = separation.separated;
+  report.touching_copies = separation.touching;
+  report.separation = separation.largest;
 }
 
 /// Section and flat area, plane by plane.

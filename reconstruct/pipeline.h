@@ -12,6 +12,7 @@
 #include "../arrangement/data_box.h"
 #include "branching.h"
 #include "cell_builder.h"
+#include "glue.h"
 #include "numbering.h"
 #include "observer.h"
 #include "parallel.h"
@@ -85,6 +86,7 @@ class Pipeline {
   Result<CellBranching> branch(CellId id, CellState& state);
   void finish_cells();
 
+  void separate(const GluedSurface& glued);
   void report_planes();
 
   Error cancelled() const { return make_error(ErrorCode::cancelled, "cancelled"); }

@@ -49,7 +49,7 @@ struct CellReport {
 };
 
 struct StageSeconds {
-  double input = 0, arrangement = 0, crossings = 0, faces = 0, branching = 0, delaunay = 0, pruning = 0, gluing = 0, total = 0;
+  double input = 0, arrangement = 0, crossings = 0, faces = 0, branching = 0, delaunay = 0, pruning = 0, gluing = 0, separating = 0, total = 0;
 };
 
 /// Sums over the cells.
@@ -89,6 +89,9 @@ struct Report {
   std::uint32_t flat_regions = 0;     ///< connected section regions bare on both sides
   std::uint32_t pinched_vertices = 0, pinched_edges = 0, split_edges = 0;
   std::uint32_t vertex_copies = 0;    ///< vertices of the surface beyond one a point
+  std::uint32_t separated_copies = 0; ///< copies that moved away from the others
+  std::uint32_t touching_copies = 0;  ///< copies left at the same place, beyond one each
+  double separation = 0;              ///< longest move
   std::uint32_t solid_tets = 0, surface_triangles = 0, surface_vertices = 0;
   std::uint32_t bad_links = 0;
   double volume = 0;

@@ -1,6 +1,6 @@
 #include "picture.h"
 
-#include "../../inspect/bounds.h"
+#include "../../geom/bounds.h"
 #include "lighting.h"
 
 namespace crossloft::cli {

@@ -76,6 +76,14 @@ expect 0 '^volume|volume 1$' reconstruct cube.contour -o cube.ply --solid cube.v
 for file in cube.ply cube.vtu cube.json cube2.contour; do [ -s $file ] || { echo "FAILED: no $file"; failures=$((failures + 1)); }; done
 grep -q '"report_version": 1' cube.json || { echo "FAILED: report without its version"; failures=$((failures + 1)); }
 expect 0 'good' check cube.ply cube.contour
+
+# Where the solid touches itself: moved apart unless told not to, and whole either way
+expect 0 '^pinched .*; [1-9][0-9]* copies moved apart' reconstruct "$source/examples/demo.contour" -o apart.ply --report apart.json
+grep -q '"separate": true' apart.json || { echo "FAILED: the report does not name separate"; failures=$((failures + 1)); }
+expect 0 '^pinched .*; 0 copies moved apart, [1-9][0-9]* left touching' reconstruct "$source/examples/demo.contour" -o touching.ply --keep-touching
+expect 0 'good' check apart.ply "$source/examples/demo.contour"
+cmp -s apart.ply touching.ply && { echo "FAILED: --keep-touching changes nothing"; failures=$((failures + 1)); }
+
 expect 0 'IoU 1$' compare cube.ply cube.ply
 expect 0 '3 planes' slice cube.ply -o cut.contour --parallel 3
 expect 0 'planes +3' info cut.contour

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "../../inspect/crossing.h"
+#include "../../geom/triangle_meeting.h"
 #include "../../inspect/random.h"
 #include "shapes.h"
 
@@ -114,54 +114,6 @@ TEST_CASE("degenerate and impossible triangles are counted and left out") {
   mesh.points[5].x = std::nan("");
   CHECK(check_surface(mesh).bad_coordinates == 1);
   CHECK(check_surface(Surface{}).good_topology());
-}
-
-namespace {
-
-const Corners kBase{Vec3{0, 0, 0}, Vec3{4, 0, 0}, Vec3{0, 4, 0}};
-
-Corners spike(const Vec3& tip) { return {tip, Vec3{0.5, 1, 3}, Vec3{1.5, 1, 3}}; }
-
-}  // namespace
-
-TEST_CASE("a tip crosses one unit in the last place below a plane and only touches on it") {
-  const double down = std::nextafter(0.0, -1.0);
-  CHECK(meeting(kBase, spike({1, 1, 0})) == Meeting::none);
-  CHECK(meeting(kBase, spike({1, 1, 0x1p-40})) == Meeting::none);
-  CHECK(meeting(kBase, spike({1, 1, down})) == Meeting::crossing);
-  CHECK(meeting(spike({1, 1, down}), kBase) == Meeting::crossing);
-}
-
-TEST_CASE("an edge crosses one unit beside a triangle's side and only touches on it") {
-  const auto post = [](double x) { return Corners{Vec3{x, 0, -1}, Vec3{x, 0, 1}, Vec3{x, -5, 0}}; };
-  CHECK(meeting(kBase, post(1)) == Meeting::none);
-  const auto shifted = [](double y) { return Corners{Vec3{1, y, -1}, Vec3{1, y, 1}, Vec3{1, -5, 0}}; };
-  // y > 0: the post's edge stands inside the base, so it and the base's side cross properly.
-  CHECK(meeting(kBase, shifted(std::nextafter(0.0, 1.0))) == Meeting::crossing);
-  CHECK(meeting(kBase, shifted(std::nextafter(0.0, -1.0))) == Meeting::none);
-}
-
-TEST_CASE("triangles that share a corner or side do not cross there, but beyond it they may") {
-  CHECK(meeting(kBase, {kBase[0], Vec3{1, 1, 1}, Vec3{1, 1, -1}}) == Meeting::crossing);
-  CHECK(meeting(kBase, {kBase[0], Vec3{-1, 1, 1}, Vec3{-1, 1, -1}}) == Meeting::none);
-  CHECK(meeting(kBase, {kBase[0], kBase[1], Vec3{1, 1, 5}}) == Meeting::none);
-  CHECK(meeting(kBase, {kBase[0], kBase[1], Vec3{1, -1, 0}}) == Meeting::none);
-}
-
-TEST_CASE("coplanar triangles overlap or touch") {
-  CHECK(meeting(kBase, {kBase[0], kBase[1], Vec3{1, 1, 0}}) == Meeting::overlap);
-  CHECK(meeting(kBase, kBase) == Meeting::overlap);
-  CHECK(meeting(kBase, {kBase[1], kBase[0], kBase[2]}) == Meeting::overlap);
-  CHECK(meeting(kBase, {Vec3{4, 0, 0}, Vec3{4, 4, 0}, Vec3{0, 4, 0}}) == Meeting::none);
-  CHECK(meeting(kBase, {Vec3{-1, 1, 0}, Vec3{5, 1, 0}, Vec3{5, 1.5, 0}}) == Meeting::overlap);
-  CHECK(meeting(kBase, {Vec3{1, 1, 0}, Vec3{1, 1, 0}, Vec3{2, 1, 0}}) == Meeting::none);
-}
-
-TEST_CASE("degenerate triangles pierce but are not pierced") {
-  const Corners needle{Vec3{1, 1, -1}, Vec3{1, 1, 1}, Vec3{1, 1, 2}};
-  CHECK(collinear(needle));
-  CHECK(meeting(needle, kBase) == Meeting::crossing);
-  CHECK(meeting(needle, {Vec3{0, 1, 0}, Vec3{2, 1, 0}, Vec3{3, 1, 0}}) == Meeting::none);
 }
 
 TEST_CASE("all pairs of random soups, on coarse grids for coincidences, as by brute force") {

@@ -4,7 +4,7 @@
 #include <limits>
 #include <span>
 
-#include "../geom/vec3.h"
+#include "vec3.h"
 
 namespace crossloft {
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <cstdint>
 
-#include "../geom/vec3.h"
+#include "vec3.h"
 
 namespace crossloft {
 
@@ -28,5 +28,7 @@ Meeting meeting(const Corners& a, const Corners& b);
 Piercing piercing(const Vec3& p, const Vec3& q, const Corners& triangle);
 /// All corners exactly on one line.
 bool collinear(const Corners& triangle);
+/// p is on the closed triangle. A degenerate one contains its corners only.
+bool contains(const Corners& triangle, const Vec3& p);
 
 }  // namespace crossloft

@@ -1,8 +1,8 @@
-#include "crossing.h"
+#include "triangle_meeting.h"
 
 #include <algorithm>
 
-#include "../geom/predicates.h"
+#include "predicates.h"
 
 namespace crossloft {
 namespace {
@@ -93,6 +93,16 @@ Piercing piercing(const Vec3& p, const Vec3& q, const Corners& t) {
   const auto [low, high] = std::minmax({s[0], s[1], s[2]});
   if (low < 0 && high > 0) return Piercing::misses;
   return product < 0 && low == high ? Piercing::pierces : Piercing::touches;
+}
+
+bool contains(const Corners& t, const Vec3& p) {
+  if (p == t[0] || p == t[1] || p == t[2]) return true;
+  Vec3 apex;
+  if (side(t, p) != 0 || !off_plane_point(t, apex)) return false;
+  const int turn = orient3d(t[0], t[1], t[2], apex);
+  for (int k = 0; k < 3; ++k)
+    if (orient3d(t[k], t[next(k)], p, apex) * turn < 0) return false;
+  return true;
 }
 
 bool collinear(const Corners& t) {

@@ -1,0 +1,280 @@
+#include "separate.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+#include <vector>
+
+#include "../geom/box_tree.h"
+#include "../geom/predicates.h"
+#include "../geom/triangle_meeting.h"
+
+namespace crossloft {
+namespace {
+
+constexpr double kStep = 0.02;  ///< of the shortest edge at the copy
+constexpr int kHalvings = 4;
+constexpr int kDirectionRounds = 64;
+
+Bounds widened(Bounds box, double by) {
+  return {box.low - Vec3{by, by, by}, box.high + Vec3{by, by, by}};
+}
+
+/// The closed tetrahedron contains p; its corners don't count, and a flat one contains nothing.
+bool holds(const std::array<Vec3, 4>& t, const Vec3& p) {
+  if (!overlap(bounds_of(t), {p, p}) || std::find(t.begin(), t.end(), p) != t.end()) return false;
+  const int turn = orient3d(t[0], t[1], t[2], t[3]);
+  return turn != 0 && orient3d(p, t[1], t[2], t[3]) * turn >= 0 &&
+         orient3d(t[0], p, t[2], t[3]) * turn >= 0 && orient3d(t[0], t[1], p, t[3]) * turn >= 0 &&
+         orient3d(t[0], t[1], t[2], p) * turn >= 0;
+}
+
+/// Lists by key 0..size-1 from pairs (key, item) sorted.
+struct Lists {
+  std::vector<std::size_t> begin;
+  std::vector<std::uint32_t> items;
+
+  Lists() = default;
+  Lists(std::size_t size, const std::vector<std::pair<std::uint32_t, std::uint32_t>>& sorted)
+      : begin(size + 1, 0) {
+    for (const auto& [key, item] : sorted) {
+      ++begin[key + std::size_t{1}];
+      items.push_back(item);
+    }
+    for (std::size_t k = 0; k < size; ++k) begin[k + 1] += begin[k];
+  }
+  std::span<const std::uint32_t> of(std::size_t key) const {
+    return {items.data() + begin[key], begin[key + 1] - begin[key]};
+  }
+};
+
+class Separator {
+ public:
+  Separator(Surface& surface, std::span<const SurfaceVertex> origins, const Confinement& confinement)
+      : surface_(surface), points_(surface.points), origins_(origins), confinement_(confinement) {}
+
+  Separation run() {
+    find_copies();
+    if (copies_.empty()) return result_;
+    find_umbrellas();
+    for (std::size_t k = 0; k < copies_.size(); ++k) reach_.push_back(reach(k));
+    find_neighbours();
+    for (std::size_t k = 0; k < copies_.size(); ++k) move(k);
+    count_touching();
+    return result_;
+  }
+
+ private:
+  using Triple = std::array<std::uint32_t, 3>;
+
+  bool same_origin(std::size_t v, std::size_t w) const {
+    return w < origins_.size() && origins_[v] == origins_[w];
+  }
+  Corners corners(std::uint32_t t) const {
+    const Triple& c = surface_.triangles[t];
+    return {points_[c[0]], points_[c[1]], points_[c[2]]};
+  }
+  Umbrella umbrella(std::size_t k) const { return {copies_[k], umbrellas_.of(k)}; }
+  /// The triangle's other two vertices, in its orientation after v.
+  std::array<std::uint32_t, 2> spokes(std::uint32_t t, std::uint32_t v) const {
+    const Triple& c = surface_.triangles[t];
+    const std::size_t at = c[0] == v ? 0 : c[1] == v ? 1 : 2;
+    return {c[(at + 1) % 3], c[(at + 2) % 3]};
+  }
+
+  void find_copies() {
+    number_.assign(points_.size(), kNone);
+    for (std::uint32_t v = 0; v < origins_.size(); ++v) {
+      if (!same_origin(v, v + std::size_t{1}) && (v == 0 || !same_origin(v, v - std::size_t{1}))) continue;
+      number_[v] = static_cast<std::uint32_t>(copies_.size());
+      copies_.push_back(v);
+    }
+  }
+
+  void find_umbrellas() {
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> found;
+    for (std::uint32_t t = 0; t < surface_.triangles.size(); ++t)
+      for (const std::uint32_t v : surface_.triangles[t])
+        if (number_[v] != kNone) found.emplace_back(number_[v], t);
+    std::sort(found.begin(), found.end());
+    umbrellas_ = Lists(copies_.size(), found);
+  }
+
+  /// Half the room that the copy may take; 0 if it stays.
+  double reach(std::size_t k) const {
+    if (!confinement_.may_move(umbrella(k))) return 0;
+    double shortest = Bounds::kFar;
+    for (const std::uint32_t t : umbrellas_.of(k))
+      shortest = std::min(shortest, norm(points_[spokes(t, copies_[k])[0]] - points_[copies_[k]]));
+    return kStep * shortest;
+  }
+
+  double reach_of(std::uint32_t v) const { return number_[v] == kNone ? 0 : reach_[number_[v]]; }
+  Bounds room(std::size_t k) const {
+    const Vec3& p = points_[copies_[k]];
+    return widened({p, p}, 2 * reach_[k]);
+  }
+  /// Holds the triangle wherever its corners may come to lie.
+  Bounds room_of_triangle(std::uint32_t t) const {
+    Bounds box;
+    for (const std::uint32_t v : surface_.triangles[t])
+      box.join(widened({points_[v], points_[v]}, 2 * reach_of(v)));
+    return box;
+  }
+
+  /// All triangles that a copy which may move can meet, its own ones included. One tree of those copies, and
+  /// every triangle asks it: there are few of them.
+  void find_neighbours() {
+    std::vector<Bounds> boxes;
+    std::vector<std::uint32_t> moving;
+    for (std::uint32_t k = 0; k < copies_.size(); ++k) {
+      if (reach_[k] == 0) continue;
+      Bounds box;
+      for (const std::uint32_t t : umbrellas_.of(k)) box.join(room_of_triangle(t));
+      boxes.push_back(box);
+      moving.push_back(k);
+    }
+    const BoxTree tree(boxes);
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> found;
+    for (std::uint32_t t = 0; t < surface_.triangles.size() && !tree.empty(); ++t)
+      tree.for_overlaps(room_of_triangle(t), [&](std::uint32_t i) { found.emplace_back(moving[i], t); });
+    std::sort(found.begin(), found.end());
+    neighbours_ = Lists(copies_.size(), found);
+  }
+
+  /// Normals of the umbrella's triangles, of length 1 and towards the side on which `inside` mostly lies.
+  std::vector<Vec3> normals(std::size_t k, const Vec3& inside) const {
+    std::vector<Vec3> normals;
+    double sum = 0;
+    for (const std::uint32_t t : umbrellas_.of(k)) {
+      const auto [a, b] = spokes(t, copies_[k]);
+      const Vec3 n = cross(points_[a] - points_[copies_[k]], points_[b] - points_[copies_[k]]);
+      normals.push_back(1 / norm(n) * n);
+      sum += dot(normals.back(), inside);
+    }
+    if (sum < 0)
+      for (Vec3& n : normals) n = -n;
+    return normals;
+  }
+
+  /// A unit vector into the umbrella's cone: the mean of the spokes, turned towards the worst triangle again and
+  /// again (Rosenblatt's perceptron), so that all triangles have it on the same side if there is such a vector and
+  /// the rounds suffice; the best one met otherwise. Only a proposal, so rounding does no harm.
+  Vec3 direction(std::size_t k) const {
+    const Vec3& from = points_[copies_[k]];
+    Vec3 d, best;
+    for (const std::uint32_t t : umbrellas_.of(k)) {
+      const Vec3 spoke = points_[spokes(t, copies_[k])[0]] - from;
+      d = d + 1 / norm(spoke) * spoke;
+    }
+    const std::vector<Vec3> sides = normals(k, d);
+    if (norm(d) == 0) d = sides[0];  // spokes that cancel: any side will do
+    double margin = -2;
+    for (int round = 0; round < kDirectionRounds; ++round) {
+      const double length = norm(d);
+      if (length == 0) break;
+      d = 1 / length * d;
+      const Vec3& worst = *std::min_element(sides.begin(), sides.end(), [&](const Vec3& x, const Vec3& y) {
+        return dot(x, d) < dot(y, d);
+      });
+      if (dot(worst, d) > margin) margin = dot(worst, d), best = d;
+      d = d + 0.25 * worst;
+    }
+    return best;
+  }
+
+  void move(std::size_t k) {
+    if (reach_[k] == 0) return;
+    const Vec3 from = points_[copies_[k]];
+    const Vec3 d = direction(k);
+    const Bounds allowed = room(k);
+    double step = reach_[k];
+    for (int i = 0; i <= kHalvings; ++i, step *= 0.5) {
+      Vec3 to = from + step * d;
+      if (!is_finite(to) || !confinement_.admit(umbrella(k), to)) continue;
+      if (to == from || !overlap(allowed, {to, to}) || !try_place(k, to)) continue;
+      ++result_.separated;
+      result_.largest = std::max(result_.largest, norm(to - from));
+      return;
+    }
+  }
+
+  /// Puts the copy there if the way is free.
+  bool try_place(std::size_t k, const Vec3& to) {
+    if (!sweeps_nothing(k, to)) return false;
+    const Vec3 from = std::exchange(points_[copies_[k]], to);
+    const bool free = meets_nothing(k);
+    if (!free) points_[copies_[k]] = from;
+    return free;
+  }
+
+  bool is_own(std::size_t k, std::uint32_t t) const {
+    const auto own = umbrellas_.of(k);
+    return std::binary_search(own.begin(), own.end(), t);
+  }
+
+  bool sweeps_nothing(std::size_t k, const Vec3& to) const {
+    for (const std::uint32_t t : neighbours_.of(k)) {
+      if (is_own(k, t)) continue;
+      const Corners other = corners(t);
+      if (contains(other, to)) return false;
+      for (const Vec3& p : other)
+        if (is_swept(k, to, p)) return false;
+    }
+    return true;
+  }
+
+  bool is_swept(std::size_t k, const Vec3& to, const Vec3& p) const {
+    const std::uint32_t v = copies_[k];
+    const auto own = umbrellas_.of(k);
+    return std::any_of(own.begin(), own.end(), [&](std::uint32_t t) {
+      const auto [a, b] = spokes(t, v);
+      return holds({points_[v], to, points_[a], points_[b]}, p);
+    });
+  }
+
+  bool meets_nothing(std::size_t k) const {
+    for (const std::uint32_t t : umbrellas_.of(k)) {
+      const Corners own = corners(t);
+      if (collinear(own)) return false;
+      const Bounds box = bounds_of(own);
+      for (const std::uint32_t other : neighbours_.of(k)) {
+        if (other == t) continue;
+        const Corners c = corners(other);
+        if (overlap(box, bounds_of(c)) && meeting(own, c) != Meeting::none) return false;
+      }
+    }
+    return true;
+  }
+
+  /// In each run of copies, those at a place that a copy before them has.
+  void count_touching() {
+    for (std::size_t first = 0, last = 0; first < copies_.size(); first = last) {
+      while (last < copies_.size() && same_origin(copies_[first], copies_[last])) ++last;
+      for (std::size_t i = first; i < last; ++i)
+        result_.touching += std::any_of(copies_.begin() + static_cast<std::ptrdiff_t>(first),
+                                        copies_.begin() + static_cast<std::ptrdiff_t>(i),
+                                        [&](std::uint32_t v) { return points_[v] == points_[copies_[i]]; });
+    }
+  }
+
+  Surface& surface_;
+  std::vector<Vec3>& points_;
+  std::span<const SurfaceVertex> origins_;
+  const Confinement& confinement_;
+  std::vector<std::uint32_t> number_;  ///< by vertex: its place in copies_, kNone if it has no other copy
+  std::vector<std::uint32_t> copies_;  ///< ascending
+  Lists umbrellas_;                    ///< by copy
+  std::vector<double> reach_;          ///< by copy
+  Lists neighbours_;                   ///< by copy: triangles, ascending
+  Separation result_;
+};
+
+}  // namespace
+
+Separation separate_copies(Surface& surface, std::span<const SurfaceVertex> origins,
+                           const Confinement& confinement) {
+  return Separator(surface, origins, confinement).run();
+}
+
+}  // namespace crossloft
