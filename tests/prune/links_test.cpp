@@ -175,7 +175,7 @@ TEST_CASE("random cells and random subsets: both ways of counting agree") {
     CAPTURE(seed);
     const CellComplex cell = random_cell(seed);
     std::mt19937 random(seed);
-    std::vector<std::uint8_t> kept = prune(cell).kept;
+    std::vector<std::uint8_t> kept = prune(cell, PruneMode::joint).kept;
     for (int round = 0; round < 3; ++round) {
       const LinkCensus census = census_links(cell, kept);
       check_equal(census, slow_census(cell, kept));

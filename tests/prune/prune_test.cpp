@@ -78,7 +78,7 @@ TEST_CASE("joint keeps what two-plane tetrahedra alone would keep") {
   for (std::uint32_t seed = 2000; seed < 2060; ++seed) {
     CAPTURE(seed);
     const CellComplex cell = random_cell(seed);
-    CHECK(prune(cell).r3 >= prune(cell, PruneMode::paper).r2);
+    CHECK(prune(cell, PruneMode::joint).r3 >= prune(cell, PruneMode::paper).r2);
   }
 }
 
@@ -99,11 +99,11 @@ TEST_CASE(
   // As above, but the upper triangle 3 4 5 is outside and 3-4 borders on an internal triangle 3 4 6 below it.
   const std::vector<Tet> tets{{0, 1, 2, 3}, {1, 2, 3, 4}, {2, 3, 4, 5}, {1, 3, 4, 6}};
   const std::vector<std::uint64_t> masks{1, 1, 1, 2, 2, 2, 2};
-  const PruneResult whole = prune(make_cell(tets, masks, {{0, 1, 2}, {3, 4, 5}, {3, 4, 6}}));
+  const PruneResult whole = prune(make_cell(tets, masks, {{0, 1, 2}, {3, 4, 5}, {3, 4, 6}}), PruneMode::joint);
   CHECK(whole.r3 == 4);
-  const PruneResult half = prune(make_cell(tets, masks, {{0, 1, 2}, {3, 4, 6}}));
+  const PruneResult half = prune(make_cell(tets, masks, {{0, 1, 2}, {3, 4, 6}}), PruneMode::joint);
   CHECK(half.kept == std::vector<std::uint8_t>{1, 1, 0, 1});  // the other side of 3-4 still has ground
-  const PruneResult none = prune(make_cell({tets[0], tets[1], tets[2]}, masks, {{0, 1, 2}}));
+  const PruneResult none = prune(make_cell({tets[0], tets[1], tets[2]}, masks, {{0, 1, 2}}), PruneMode::joint);
   CHECK(none.r3 == 0);
 }
 
@@ -112,7 +112,7 @@ TEST_CASE("two sections that would meet in a point only stay apart") {
   // and nothing of face 1 is there to join them.
   const CellComplex cell =
       make_cell({{0, 1, 2, 3}, {4, 5, 6, 3}}, {1, 1, 1, 2, 1, 1, 1}, {{0, 1, 2}, {4, 5, 6}});
-  const PruneResult result = prune(cell);
+  const PruneResult result = prune(cell, PruneMode::joint);
   CHECK(result.r1 == 2);
   CHECK(result.r3 == 0);
 }
@@ -127,6 +127,6 @@ TEST_CASE("two grounded edges alone make no solid, though they conform") {
 }
 
 TEST_CASE("an empty cell") {
-  CHECK(prune(CellComplex{}).kept.empty());
-  CHECK(verify(CellComplex{}, prune(CellComplex{})));
+  CHECK(prune(CellComplex{}, PruneMode::joint).kept.empty());
+  CHECK(verify(CellComplex{}, prune(CellComplex{}, PruneMode::joint)));
 }

@@ -40,7 +40,7 @@ TEST_CASE("a good cell passes, each kind of damage is found") {
 
 TEST_CASE("a good result passes, each kind of damage is found") {
   const CellComplex cell = prism();
-  const PruneResult good = prune(cell);
+  const PruneResult good = prune(cell, PruneMode::joint);
   CHECK(good.r3 == 3);
   CHECK(verify(cell, good));
   PruneResult bad = good;
