@@ -20,16 +20,19 @@ class Bodies {
 
   std::uint32_t tet(std::uint32_t t) const { return ground_ + t; }
 
-  void join(std::uint32_t a, std::uint32_t b, std::int32_t confidence) {
-    a = sets_.find(a);
-    b = sets_.find(b);
-    if (a == b) return;
-    if (std::max(a, b) < ground_) {
-      const auto [low, high] = std::minmax(names_[a], names_[b]);
-      joins_.push_back({low, high, confidence, true});
-      names_[std::min(a, b)] = low;
-    }
-    sets_.join(a, b);
+  /// Tetrahedron t joins the pieces next to it, in the order of their names: not in that of its slots.
+  void add(std::uint32_t t, std::vector<std::uint32_t> pieces, std::int32_t confidence) {
+    for (std::uint32_t& p : pieces) p = sets_.find(p);
+    std::sort(pieces.begin(), pieces.end());
+    pieces.erase(std::unique(pieces.begin(), pieces.end()), pieces.end());
+    for (const std::uint32_t p : pieces) sets_.join(tet(t), p);
+    pieces.erase(std::lower_bound(pieces.begin(), pieces.end(), ground_), pieces.end());
+    if (pieces.empty()) return;
+    std::vector<std::uint32_t> names;
+    for (const std::uint32_t p : pieces) names.push_back(names_[p]);
+    std::sort(names.begin(), names.end());
+    for (std::size_t i = 1; i < names.size(); ++i) joins_.push_back({names[0], names[i], confidence, true});
+    names_[pieces[0]] = names[0];
   }
 
   std::vector<Join> take() { return std::move(joins_); }
@@ -81,11 +84,13 @@ std::vector<Join> find_joins(const CellComplex& complex, const Ground& ground, c
   std::vector<std::uint8_t> in(kept.size(), 0);
   for (const std::uint32_t t : by_confidence(complex, kept, confidence)) {
     in[t] = 1;
+    std::vector<std::uint32_t> pieces;
     for (unsigned i = 0; i < 4; ++i) {
       const std::uint32_t other = complex.mesh.neighbours[t][i];
-      if (other != kNone && in[other] != 0) bodies.join(bodies.tet(t), bodies.tet(other), confidence[t]);
-      if (ground.is_ground(t, i)) bodies.join(bodies.tet(t), ground.at(t, i), confidence[t]);
+      if (other != kNone && in[other] != 0) pieces.push_back(bodies.tet(other));
+      if (ground.is_ground(t, i)) pieces.push_back(ground.at(t, i));
     }
+    bodies.add(t, std::move(pieces), confidence[t]);
   }
   return bodies.take();
 }

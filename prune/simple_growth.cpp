@@ -137,7 +137,8 @@ class SimpleGrowth {
     return changed;
   }
 
-  /// The different bodies in a contact, one for each of its parts; empty if two parts are of one body.
+  /// The different bodies in a contact by their names, one for each of its parts; empty if two parts are of one
+  /// body. (By numbers they would come in an order that depends on the tetrahedra's.)
   std::vector<std::uint32_t> bodies_to_join(const Contact& contact) const {
     std::vector<std::uint32_t> bodies;
     for (unsigned i = 0; i < 4; ++i)
@@ -145,6 +146,9 @@ class SimpleGrowth {
     std::sort(bodies.begin(), bodies.end());
     bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
     if (static_cast<int>(bodies.size()) != contact.parts || contact.loops != 0) bodies.clear();
+    std::stable_sort(bodies.begin(), bodies.end(), [&](std::uint32_t a, std::uint32_t b) {
+      return vertex_of_body_[a] < vertex_of_body_[b];
+    });
     return bodies;
   }
 
@@ -159,16 +163,11 @@ class SimpleGrowth {
       wanted = true;
     }
     if (!wanted && confidence_[t] < limits_.join) return false;
-    for (std::size_t i = 1; i < bodies.size(); ++i) {
-      std::uint32_t& name = vertex_of_body_[bodies[0]];
-      result_.joins.push_back(named(name, vertex_of_body_[bodies[i]], confidence_[t], true));
-      name = std::min(name, vertex_of_body_[bodies[i]]);
-    }
+    const std::uint32_t name = vertex_of_body_[bodies[0]];
+    for (std::size_t i = 1; i < bodies.size(); ++i)
+      result_.joins.push_back({name, vertex_of_body_[bodies[i]], confidence_[t], true});
+    vertex_of_body_[*std::min_element(bodies.begin(), bodies.end())] = name;
     return true;
-  }
-
-  static Join named(std::uint32_t a, std::uint32_t b, std::int32_t confidence, bool done) {
-    return {std::min(a, b), std::max(a, b), confidence, done};
   }
 
   /// Whether joining the bodies brings together the two sides of wish w from different bodies.
@@ -224,8 +223,7 @@ class SimpleGrowth {
       const std::uint32_t t = order_[rank];
       const std::vector<std::uint32_t> bodies = bodies_to_join(solid_.contact(t));
       for (std::size_t i = 1; i < bodies.size(); ++i)
-        refused.push_back(
-            named(vertex_of_body_[bodies[0]], vertex_of_body_[bodies[i]], -confidence_[t], false));
+        refused.push_back({vertex_of_body_[bodies[0]], vertex_of_body_[bodies[i]], -confidence_[t], false});
     }
     std::sort(refused.begin(), refused.end());
     const auto same_pair = [](const Join& x, const Join& y) { return x.a == y.a && x.b == y.b; };

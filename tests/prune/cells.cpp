@@ -1,6 +1,7 @@
 #include "cells.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <numeric>
 #include <optional>
@@ -49,15 +50,52 @@ Point two_plane_point(std::mt19937& random, std::int64_t slope, std::int64_t hei
   return random() % 2 == 0 ? Point{{x, y, 0}, 1} : Point{{x, y, slope * x + height}, 2};
 }
 
-std::vector<Point> random_points(std::mt19937& random) {
-  const std::uint32_t shape = random() % 6, count = 8 + random() % 11;
+enum class Hull { slab, wedge, box };
+
+struct Points {
+  Hull hull;
+  std::vector<Point> list;
+};
+
+Points random_points(std::mt19937& random) {
+  const std::uint32_t toss = random() % 6, count = 8 + random() % 11;
+  const Hull hull = toss == 0 ? Hull::slab : toss == 1 ? Hull::wedge : Hull::box;
   std::set<Point> points;
   while (points.size() < count) {
-    points.insert(shape == 0   ? two_plane_point(random, 0, 300)
-                  : shape == 1 ? two_plane_point(random, 1, 0)
-                               : box_point(random));
+    points.insert(hull == Hull::slab    ? two_plane_point(random, 0, 300)
+                  : hull == Hull::wedge ? two_plane_point(random, 1, 0)
+                                        : box_point(random));
   }
-  return {points.begin(), points.end()};
+  return {hull, {points.begin(), points.end()}};
+}
+
+FacePlane face(Vec3 inward, Vec3 on) {
+  const Vec3 unit = 1 / norm(inward) * inward;
+  return {unit, -dot(unit, on)};
+}
+
+/// By bit of the face masks; a slab's and a wedge's other faces after them.
+std::vector<FacePlane> faces_of(Hull hull) {
+  const Vec3 low{0, 0, 0}, high{kSize, kSize, kSize};
+  const std::vector<FacePlane> sides{face({1, 0, 0}, low), face({-1, 0, 0}, high), face({0, 1, 0}, low),
+                                     face({0, -1, 0}, high)};
+  std::vector<FacePlane> faces{face({0, 0, 1}, low)};
+  if (hull == Hull::box) {
+    faces.insert(faces.begin(), sides.begin(), sides.end());
+    faces.push_back(face({0, 0, -1}, high));
+    return faces;
+  }
+  faces.push_back(hull == Hull::slab ? face({0, 0, -1}, {0, 0, 300}) : face({1, 0, -1}, low));
+  faces.insert(faces.end(), sides.begin(), sides.end());
+  return faces;
+}
+
+CellShape shape_of(const Points& points) {
+  CellShape shape{{}, faces_of(points.hull)};
+  for (const Point& p : points.list) {
+    shape.points.push_back({static_cast<double>(p.at[0]), static_cast<double>(p.at[1]), static_cast<double>(p.at[2])});
+  }
+  return shape;
 }
 
 /// Every tetrahedron with an empty sphere; nothing if a fifth point is on one.
@@ -97,17 +135,32 @@ bool centre_in_ball(const std::vector<Point>& points, const Triangle& t, const L
   return distance < 9 * radius * radius;
 }
 
+std::set<Triangle> all_triangles(const std::vector<Tet>& tets) {
+  std::set<Triangle> all;
+  for (const Tet& tet : tets) {
+    for (unsigned i = 0; i < 4; ++i) all.insert(facet_of(tet, i));
+  }
+  return all;
+}
+
+/// `share` of 1000 triangles.
+std::set<Triangle> random_triangles(std::mt19937& random, const std::vector<Tet>& tets, std::uint32_t share) {
+  std::set<Triangle> some;
+  for (const Triangle& t : all_triangles(tets)) {
+    if (random() % 1000 < share) some.insert(t);
+  }
+  return some;
+}
+
 std::set<Triangle> random_sections(std::mt19937& random, const std::vector<Point>& points,
                                    const std::vector<Tet>& tets) {
   const bool by_ball = random() % 2 == 0;
   const std::uint32_t share = 600 + random() % 500;  // of 1000
   const LatticeVector centre{coordinate(random), coordinate(random), coordinate(random)};
-  std::set<Triangle> internal, all;
-  for (const Tet& tet : tets) {
-    for (unsigned i = 0; i < 4; ++i) all.insert(facet_of(tet, i));
-  }
-  for (const Triangle& t : all) {
-    if (by_ball ? centre_in_ball(points, t, centre, share) : random() % 1000 < share) internal.insert(t);
+  if (!by_ball) return random_triangles(random, tets, share);
+  std::set<Triangle> internal;
+  for (const Triangle& t : all_triangles(tets)) {
+    if (centre_in_ball(points, t, centre, share)) internal.insert(t);
   }
   return internal;
 }
@@ -158,16 +211,79 @@ CellComplex make_cell(const std::vector<Tet>& tets, const std::vector<std::uint6
   return cell;
 }
 
-CellComplex random_cell(std::uint32_t seed) {
+CellComplex random_cell(std::uint32_t seed) { return placed_cell(seed).complex; }
+
+PlacedCell placed_cell(std::uint32_t seed) {
   std::mt19937 random(seed);
   for (;;) {
-    const std::vector<Point> points = random_points(random);
-    const auto tets = delaunay(points);
+    const Points points = random_points(random);
+    const auto tets = delaunay(points.list);
     if (!tets) continue;
     std::vector<std::uint64_t> masks;
-    for (const Point& p : points) masks.push_back(p.faces);
-    return make_cell(*tets, masks, random_sections(random, points, *tets));
+    for (const Point& p : points.list) masks.push_back(p.faces);
+    return {make_cell(*tets, masks, random_sections(random, points.list, *tets)), shape_of(points)};
   }
+}
+
+CellComplex deep_cell(std::uint32_t seed) {
+  std::mt19937 random(seed);
+  for (;;) {
+    std::set<Point> points;
+    while (points.size() < 13) points.insert(two_plane_point(random, 0, 300));
+    for (std::uint32_t i = 0, n = 6 + random() % 5; i < n; ++i) {
+      points.insert({{coordinate(random), coordinate(random), 1 + random() % 298}, 0});
+    }
+    const std::vector<Point> list(points.begin(), points.end());
+    const auto tets = delaunay(list);
+    if (!tets) continue;
+    std::vector<std::uint64_t> masks;
+    for (const Point& p : list) masks.push_back(p.faces);
+    return make_cell(*tets, masks, random_triangles(random, *tets, 850));
+  }
+}
+
+CellShape turned(const CellShape& shape, std::mt19937& random) {
+  // By the unit quaternion (a, b, c, d).
+  std::array<double, 4> q{};
+  double square = 0;
+  for (double& x : q) {
+    x = 1 + static_cast<double>(random() % 1000);
+    square += x * x;
+  }
+  for (double& x : q) x /= std::sqrt(square);
+  const auto [a, b, c, d] = q;
+  const auto turn = [&, a = a, axis = Vec3{b, c, d}](Vec3 p) {
+    const Vec3 side = cross(axis, p);
+    return p + 2 * (a * side + cross(axis, side));
+  };
+  CellShape result;
+  for (const Vec3& p : shape.points) result.points.push_back(turn(p));
+  for (const FacePlane& f : shape.faces) result.faces.push_back({turn(f.normal), f.offset});
+  return result;
+}
+
+PlacedCell with_many_faces(const PlacedCell& cell) {
+  constexpr unsigned kMore = 70;
+  PlacedCell wide = cell;
+  wide.complex.words = 2;
+  wide.complex.face_masks.clear();
+  for (const std::uint64_t mask : cell.complex.face_masks) {
+    wide.complex.face_masks.insert(wide.complex.face_masks.end(), {0, mask << (kMore - 64)});
+  }
+  const FacePlane far{cell.shape.faces[0].normal, 1e6};
+  wide.shape.faces.insert(wide.shape.faces.begin(), kMore, far);
+  return wide;
+}
+
+std::vector<std::uint8_t> r1_of(const CellComplex& cell) {
+  std::vector<std::uint8_t> r1;
+  for (std::uint32_t t = 0; t < cell.mesh.size(); ++t) {
+    const auto& facets = cell.facets[t];
+    const auto& edges = cell.edges[t];
+    r1.push_back(std::count(facets.begin(), facets.end(), FacetKind::external) == 0 &&
+                 std::count(edges.begin(), edges.end(), EdgeKind::external) == 0);
+  }
+  return r1;
 }
 
 CellComplex shuffled(const CellComplex& cell, std::mt19937& random, std::vector<std::uint32_t>& from) {
