@@ -1,12 +1,14 @@
-// Does a mode of pruning find the topology of a known solid? Cuts the solids of inspect/solids.h with seeded sets
-// of planes, all contour vertices kept, reconstructs in every mode and compares with the mesh that was cut.
+// Does a mode of pruning find the topology of a known solid? Cuts the solids of inspect/solids.h with seeded
+// sets of planes, all contour vertices kept, reconstructs in every mode and compares with the mesh that was
+// cut.
 //
 //   bench_topology [--seeds N] [--case TEXT] [--rays N] [--verbose] [MODE...]
 //                  default: 10 seeds, all cases, 128 rays, modes joint and natural
 //
-// A run is right if its genus (summed) and its number of surface components are those of the mesh. Per case and
-// mode: right runs, means of intersection over union and of the volume's error, the worst loss of IoU against the
-// first mode in any run, and the time of pruning as a part of the Delaunay triangulations of the same cells.
+// A run is right if its genus (summed) and its number of surface components are those of the mesh. Per case
+// and mode: right runs, means of intersection over union and of the volume's error, the worst loss of IoU
+// against the first mode in any run, and the time of pruning as a part of the Delaunay triangulations of the
+// same cells.
 
 #include <algorithm>
 #include <cmath>
@@ -91,8 +93,8 @@ struct Arguments {
   Options options;
 };
 
-bool reconstruct_one(const Surface& mesh, const Shape& truth, const Sections& sections, const Options& options,
-                     std::uint32_t rays, Run& run) {
+bool reconstruct_one(const Surface& mesh, const Shape& truth, const Sections& sections,
+                     const Options& options, std::uint32_t rays, Run& run) {
   const auto result = reconstruct(sections, options);
   if (!result) {
     std::fprintf(stderr, "error: %s\n", result.error().message.c_str());
@@ -111,7 +113,10 @@ bool reconstruct_one(const Surface& mesh, const Shape& truth, const Sections& se
 }
 
 const char* name_of(PruneMode mode) {
-  return mode == PruneMode::joint ? "joint" : mode == PruneMode::paper ? "paper" : mode == PruneMode::natural ? "natural" : "paper-literal";
+  return mode == PruneMode::joint     ? "joint"
+         : mode == PruneMode::paper   ? "paper"
+         : mode == PruneMode::natural ? "natural"
+                                      : "paper-literal";
 }
 
 void print_summary(const std::string& name, PruneMode mode, const Shape& truth, const std::vector<Run>& runs,
@@ -127,8 +132,8 @@ void print_summary(const std::string& name, PruneMode mode, const Shape& truth, 
     worst = std::min(worst, runs[i].iou - first[i].iou);
   }
   const double n = static_cast<double>(runs.size());
-  std::printf("%-24s %-8s %2d of %2zu  iou %.4f worst %+.4f  volume error %.4f  pruning/delaunay %.2f\n", name.c_str(),
-              name_of(mode), right, runs.size(), iou / n, worst, error / n, pruning / delaunay);
+  std::printf("%-24s %-8s %2d of %2zu  iou %.4f worst %+.4f  volume error %.4f  pruning/delaunay %.2f\n",
+              name.c_str(), name_of(mode), right, runs.size(), iou / n, worst, error / n, pruning / delaunay);
   std::fflush(stdout);
 }
 
@@ -147,18 +152,21 @@ bool run_case(const Case& c, const Arguments& arguments) {
       const bool right = run.shape.same(truth);
       if (arguments.verbose || !right)
         std::printf("  seed %2llu %-8s genus %lld of %lld, components %zu of %zu, iou %.4f, flat %.2g\n",
-                    static_cast<unsigned long long>(seed), name_of(options.mode), static_cast<long long>(run.shape.genus),
-                    static_cast<long long>(truth.genus), run.shape.components, truth.components, run.iou,
+                    static_cast<unsigned long long>(seed), name_of(options.mode),
+                    static_cast<long long>(run.shape.genus), static_cast<long long>(truth.genus),
+                    run.shape.components, truth.components, run.iou,
                     run.report.flat_area / run.report.section_area);
       runs[m].push_back(std::move(run));
     }
   }
-  for (std::size_t m = 0; m < runs.size(); ++m) print_summary(c.name, arguments.modes[m], truth, runs[m], runs[0]);
+  for (std::size_t m = 0; m < runs.size(); ++m)
+    print_summary(c.name, arguments.modes[m], truth, runs[m], runs[0]);
   return true;
 }
 
 bool read_mode(const std::string& word, Arguments& arguments) {
-  for (const PruneMode mode : {PruneMode::joint, PruneMode::paper, PruneMode::paper_literal, PruneMode::natural})
+  for (const PruneMode mode :
+       {PruneMode::joint, PruneMode::paper, PruneMode::paper_literal, PruneMode::natural})
     if (word == name_of(mode)) {
       arguments.modes.push_back(mode);
       return true;
@@ -191,7 +199,8 @@ bool read_arguments(int count, char** words, Arguments& arguments) {
 int main(int count, char** words) {
   Arguments arguments;
   if (!read_arguments(count, words, arguments)) {
-    std::fprintf(stderr, "usage: bench_topology [--seeds N] [--case TEXT] [--rays N] [--verbose] [MODE...]\n");
+    std::fprintf(stderr,
+                 "usage: bench_topology [--seeds N] [--case TEXT] [--rays N] [--verbose] [MODE...]\n");
     return 2;
   }
   for (const Case& c : all_cases())

@@ -23,14 +23,14 @@ namespace crossloft {
 struct CellTopology {
   std::uint32_t sections = 0;  ///< connected parts of the ground
   std::uint32_t bodies = 0;    ///< connected parts of solid and ground
-  /// Connected parts of the rest; more than 1: a dome or wall closes one off, or a bridge where sections touch in
-  /// a point, as the outside is cut at a vertex.
+  /// Connected parts of the rest; more than 1: a dome or wall closes one off, or a bridge where sections
+  /// touch in a point, as the outside is cut at a vertex.
   std::uint32_t outsides = 0;
-  std::uint32_t voids = 0;     ///< components of S without boundary: holes or islands within the cell
-  std::uint32_t genus = 0;     ///< of S; handles that the cell itself has made
-  std::int64_t euler = 0;      ///< of S, cut apart as said
-  std::uint32_t curves = 0;    ///< boundary curves of S
-  std::uint32_t bare = 0;      ///< ground triangles without a kept tetrahedron
+  std::uint32_t voids = 0;   ///< components of S without boundary: holes or islands within the cell
+  std::uint32_t genus = 0;   ///< of S; handles that the cell itself has made
+  std::int64_t euler = 0;    ///< of S, cut apart as said
+  std::uint32_t curves = 0;  ///< boundary curves of S
+  std::uint32_t bare = 0;    ///< ground triangles without a kept tetrahedron
 };
 
 /// O(n + degrees of edges on S). REQUIRES: kept.size() == complex.mesh.size().

@@ -73,7 +73,8 @@ std::vector<std::uint32_t> GrowingSolid::outside_around(std::uint32_t t, const C
       if (j == i || (contact.facets >> j & 1U) == 0 || closes_edge(t, i, j)) continue;
       const Facet end = end_of_turn(t, i, j);
       if (end.tet == kNone) continue;
-      const std::uint32_t beyond = kept_[end.tet] == 0 ? end.tet : complex_.mesh.neighbours[end.tet][end.facet];
+      const std::uint32_t beyond =
+          kept_[end.tet] == 0 ? end.tet : complex_.mesh.neighbours[end.tet][end.facet];
       if (beyond != kNone) around.push_back(beyond);
     }
   }

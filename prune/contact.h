@@ -13,9 +13,9 @@ namespace crossloft {
 
 /// The contact of one tetrahedron.
 struct Contact {
-  unsigned facets = 0;   ///< bit i: the facet opposite slot i is in the contact
-  int parts = 0;         ///< connected parts of the contact
-  int loops = 0;         ///< first Betti number of the contact
+  unsigned facets = 0;  ///< bit i: the facet opposite slot i is in the contact
+  int parts = 0;        ///< connected parts of the contact
+  int loops = 0;        ///< first Betti number of the contact
   /// [i]: a body of the solid at facet i; equal within a part.
   std::array<std::uint32_t, 4> bodies{};
 

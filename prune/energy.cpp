@@ -30,7 +30,8 @@ double cube_root(double x) {
 /// Areas and volumes with the diagonal of the cell's box as the unit of length.
 class CellMeasures {
  public:
-  CellMeasures(const CellComplex& complex, const CellShape& shape) : complex_(complex), points_(shape.points) {
+  CellMeasures(const CellComplex& complex, const CellShape& shape)
+      : complex_(complex), points_(shape.points) {
     Vec3 low = points_[0], high = points_[0];
     for (const Vec3& p : points_) {
       low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
@@ -143,7 +144,8 @@ class CutBuilder {
 
 std::vector<std::uint8_t> cheapest_solid(const CellComplex& complex, const CellShape& shape,
                                          const std::vector<std::uint8_t>& r1,
-                                         std::span<const std::int32_t> confidence, const EnergyWeights& weights) {
+                                         std::span<const std::int32_t> confidence,
+                                         const EnergyWeights& weights) {
   return minimum_cut(CutBuilder(complex, shape, r1, confidence, weights).run()).kept;
 }
 

@@ -17,13 +17,15 @@ struct EnergyWeights {
 };
 
 /// The subset of R1 that has the least
-///     smooth area(surface within the cell) - volume sum over tetrahedra of (confidence + offset) volume / size,
+///     smooth area(surface within the cell) - volume sum over tetrahedra of (confidence + offset) volume /
+///     size,
 /// size = the cube root of the volume of the cell's vertices' hull, among those that contain all tetrahedra
 /// that stand on the sections; the smallest if there are several, so it is unique. A minimum cut between
 /// neighbours (min_cut.h) with capacities rounded to integers.
 /// REQUIRES: confidences as in confidence.h; r1[t] = 0 for tetrahedra that can't be kept.
 std::vector<std::uint8_t> cheapest_solid(const CellComplex& complex, const CellShape& shape,
                                          const std::vector<std::uint8_t>& r1,
-                                         std::span<const std::int32_t> confidence, const EnergyWeights& weights);
+                                         std::span<const std::int32_t> confidence,
+                                         const EnergyWeights& weights);
 
 }  // namespace crossloft

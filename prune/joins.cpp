@@ -78,7 +78,8 @@ std::vector<std::uint32_t> by_confidence(const CellComplex& complex, const std::
   return order;
 }
 
-std::vector<Join> find_joins(const CellComplex& complex, const Ground& ground, const std::vector<std::uint8_t>& kept,
+std::vector<Join> find_joins(const CellComplex& complex, const Ground& ground,
+                             const std::vector<std::uint8_t>& kept,
                              std::span<const std::int32_t> confidence) {
   Bodies bodies(complex, ground);
   std::vector<std::uint8_t> in(kept.size(), 0);

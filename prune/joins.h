@@ -20,14 +20,15 @@ struct Join {
   friend auto operator<=>(const Join&, const Join&) = default;
 };
 
-/// The section vertex that names each part of the ground: by ground triangle, set where it is the part's first.
+/// The section vertex that names each part of the ground: by ground triangle, set where it is the part's
+/// first.
 std::vector<std::uint32_t> part_names(const CellComplex& complex, const Ground& ground);
 
 /// The joins that make one body of several sections, each by its best way: Kruskal's algorithm from the most
 /// confident tetrahedron down, so the most confident join first. Does not depend on the numbers of the
 /// tetrahedra nor on the order of their vertices. O(n log n).
-std::vector<Join> find_joins(const CellComplex& complex, const Ground& ground, const std::vector<std::uint8_t>& kept,
-                             std::span<const std::int32_t> confidence);
+std::vector<Join> find_joins(const CellComplex& complex, const Ground& ground,
+                             const std::vector<std::uint8_t>& kept, std::span<const std::int32_t> confidence);
 
 /// Tetrahedra with chosen[t] != 0, the most confident first, equals by their sorted vertices. O(n log n).
 std::vector<std::uint32_t> by_confidence(const CellComplex& complex, const std::vector<std::uint8_t>& chosen,

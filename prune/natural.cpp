@@ -66,8 +66,9 @@ class NaturalPruning {
 
 }  // namespace
 
-NaturalResult prune_naturally(const CellComplex& complex, const CellShape& shape, const std::vector<std::uint8_t>& r1,
-                              const NaturalOptions& options, std::span<const JoinWish> wishes) {
+NaturalResult prune_naturally(const CellComplex& complex, const CellShape& shape,
+                              const std::vector<std::uint8_t>& r1, const NaturalOptions& options,
+                              std::span<const JoinWish> wishes) {
   return NaturalPruning(complex, shape, options, wishes).run(r1);
 }
 

@@ -22,8 +22,8 @@ struct NaturalOptions {
 struct NaturalReport {
   CellTopology before;  ///< of what the cut leaves
   CellTopology after;
-  bool grown = false;               ///< whether growth had to decide
-  std::vector<Join> joins;          ///< done, the most confident first or in the order of growth; then refused ones
+  bool grown = false;       ///< whether growth had to decide
+  std::vector<Join> joins;  ///< done, the most confident first or in the order of growth; then refused ones
   std::vector<std::int32_t> domes;  ///< confidences of those that growth closed
 };
 
@@ -33,10 +33,12 @@ struct NaturalResult {
   NaturalReport report;
 };
 
-/// (1) Confidences of the tetrahedra of R1 (confidence.h). (2) The cheapest subset of R1 (energy.h). (3) Where that
-/// has handles, holes, domes or joins that are not sure: growth from the sections within it by moves that make no
-/// handle (simple_growth.h), and its cracks filled. The result depends on the tetrahedra and vertex numbers alone.
-NaturalResult prune_naturally(const CellComplex& complex, const CellShape& shape, const std::vector<std::uint8_t>& r1,
-                              const NaturalOptions& options, std::span<const JoinWish> wishes);
+/// (1) Confidences of the tetrahedra of R1 (confidence.h). (2) The cheapest subset of R1 (energy.h). (3)
+/// Where that has handles, holes, domes or joins that are not sure: growth from the sections within it by
+/// moves that make no handle (simple_growth.h), and its cracks filled. The result depends on the tetrahedra
+/// and vertex numbers alone.
+NaturalResult prune_naturally(const CellComplex& complex, const CellShape& shape,
+                              const std::vector<std::uint8_t>& r1, const NaturalOptions& options,
+                              std::span<const JoinWish> wishes);
 
 }  // namespace crossloft

@@ -65,7 +65,8 @@ bool has_dome(const CellComplex& complex, const std::vector<std::uint8_t>& kept)
     }
     openings[n].add(t);
   }
-  return std::any_of(openings.begin(), openings.end(), [](const OpeningOf& o) { return o.kind() == Opening::hole; });
+  return std::any_of(openings.begin(), openings.end(),
+                     [](const OpeningOf& o) { return o.kind() == Opening::hole; });
 }
 
 }  // namespace crossloft

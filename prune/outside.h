@@ -28,8 +28,8 @@ class OpeningOf {
   std::vector<std::uint64_t> face_;  ///< mask of the one face so far
 };
 
-/// True iff some part of the outside is a hole under a dome. Parts hang together at facets and edges, as gluing leaves
-/// the outside connected along edges. O(n log n).
+/// True iff some part of the outside is a hole under a dome. Parts hang together at facets and edges, as
+/// gluing leaves the outside connected along edges. O(n log n).
 bool has_dome(const CellComplex& complex, const std::vector<std::uint8_t>& kept);
 
 }  // namespace crossloft

@@ -25,10 +25,10 @@ enum class PruneMode : std::uint8_t {
 struct PruneResult {
   std::vector<std::uint8_t> kept;  ///< per tetrahedron of R0: 1 in the solid, 0 not
   std::uint32_t r0 = 0;            ///< tetrahedra of R0
-  std::uint32_t r1 = 0;  ///< after Step 1: neither an external grounded edge nor an external triangle
-  std::uint32_t r2 = 0;  ///< after Step 2: the largest solid subset (of the two-plane ones in `paper`);
-                         ///< the cheapest solid in `natural`
-  std::uint32_t r3 = 0;  ///< after Step 3: the solid; r2 in `joint`
+  std::uint32_t r1 = 0;   ///< after Step 1: neither an external grounded edge nor an external triangle
+  std::uint32_t r2 = 0;   ///< after Step 2: the largest solid subset (of the two-plane ones in `paper`);
+                          ///< the cheapest solid in `natural`
+  std::uint32_t r3 = 0;   ///< after Step 3: the solid; r2 in `joint`
   NaturalReport natural;  ///< but for the topology, filled in `natural` only
 };
 

@@ -58,8 +58,8 @@ class SimpleGrowth {
     return false;
   }
 
-  /// Those on the ground come first, then those at its inner edges: cells on both sides must close the fans there,
-  /// or the solid falls apart along the edge.
+  /// Those on the ground come first, then those at its inner edges: cells on both sides must close the fans
+  /// there, or the solid falls apart along the edge.
   int layer(std::uint32_t t) const {
     if (is_on_ground(t)) return 0;
     const auto& edges = complex_.edges[t];
@@ -137,8 +137,8 @@ class SimpleGrowth {
     return changed;
   }
 
-  /// The different bodies in a contact by their names, one for each of its parts; empty if two parts are of one
-  /// body. (By numbers they would come in an order that depends on the tetrahedra's.)
+  /// The different bodies in a contact by their names, one for each of its parts; empty if two parts are of
+  /// one body. (By numbers they would come in an order that depends on the tetrahedra's.)
   std::vector<std::uint32_t> bodies_to_join(const Contact& contact) const {
     std::vector<std::uint32_t> bodies;
     for (unsigned i = 0; i < 4; ++i)
@@ -183,8 +183,8 @@ class SimpleGrowth {
     return !sides[0].empty() && !sides[1].empty() && (sides[0] != sides[1] || sides[0].size() > 1);
   }
 
-  /// A dome must not leave a hole within the cell, and over a hole in one section it must be confident enough.
-  /// Walls between wider parts of the outside always are: the sections around them say so.
+  /// A dome must not leave a hole within the cell, and over a hole in one section it must be confident
+  /// enough. Walls between wider parts of the outside always are: the sections around them say so.
   bool may_close(std::uint32_t t, const Contact& contact) {
     const bool sure = confidence_[t] >= limits_.dome || is_on_ground(t);
     for (const std::uint32_t start : solid_.outside_around(t, contact)) {
@@ -194,8 +194,8 @@ class SimpleGrowth {
     return true;
   }
 
-  /// Breadth first through the outside, not through the dome. A part of allowed tetrahedra alone can still be filled:
-  /// it counts as wide.
+  /// Breadth first through the outside, not through the dome. A part of allowed tetrahedra alone can still be
+  /// filled: it counts as wide.
   Opening opening_from(std::uint32_t start, std::uint32_t dome) {
     std::vector<std::uint32_t> seen{start};
     visited_.resize(complex_.mesh.size());
@@ -240,7 +240,7 @@ class SimpleGrowth {
   std::vector<std::uint32_t> order_;  ///< allowed tetrahedra, the most confident first
   std::vector<std::uint32_t> rank_;   ///< place in order_, kNone if not allowed
   std::vector<std::uint8_t> listed_, visited_;
-  std::vector<std::uint32_t> vertex_of_body_;  ///< by body: its smallest section vertex
+  std::vector<std::uint32_t> vertex_of_body_;                      ///< by body: its smallest section vertex
   std::vector<std::array<std::vector<std::uint32_t>, 2>> wished_;  ///< by wish and side: ground triangles
   std::priority_queue<std::uint32_t, std::vector<std::uint32_t>, std::greater<>> queue_;
   std::vector<std::uint32_t> put_off_;  ///< ranks

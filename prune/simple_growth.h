@@ -1,12 +1,12 @@
 #pragma once
 /// Growth of the solid from the sections by moves that make no handle.
 ///
-/// The solid K starts as the ground alone (ground.h). A tetrahedron t is added to K along its *contact* C, the
-/// facets shared with K; two of them hang together at a vertex of t if K connects them within the vertex's
-/// star. Adding t changes the Euler characteristic of K by d = 1 - euler(C):
+/// The solid K starts as the ground alone (ground.h). A tetrahedron t is added to K along its *contact* C,
+/// the facets shared with K; two of them hang together at a vertex of t if K connects them within the
+/// vertex's star. Adding t changes the Euler characteristic of K by d = 1 - euler(C):
 ///     d = 1 + 2 f - c - sum over the vertices of m,
-/// f = facets of C, c = edges of t that become inner ones, m = parts that C has at the vertex. With k parts of
-/// C, its loops are b = d - 1 + k, and the move is
+/// f = facets of C, c = edges of t that become inner ones, m = parts that C has at the vertex. With k parts
+/// of C, its loops are b = d - 1 + k, and the move is
 ///   - simple (k = 1, b = 0): C is a disk. K keeps its homotopy type.
 ///   - join (k > 1, b = 0, all parts in different bodies of K): bodies become one, no handle.
 ///   - dome (k = 1, b > 0): closes off a part of the outside, since K without handles has no tunnel to fill.
@@ -44,8 +44,8 @@ struct GrowthResult {
   std::vector<std::int32_t> domes;  ///< confidences, in the order of growth
 };
 
-/// Grows over the tetrahedra with allowed[t] != 0. Tetrahedra of equal confidence go by their sorted vertices, so
-/// the result does not depend on their numbers. O(n log n) and a few rounds over those put off.
+/// Grows over the tetrahedra with allowed[t] != 0. Tetrahedra of equal confidence go by their sorted
+/// vertices, so the result does not depend on their numbers. O(n log n) and a few rounds over those put off.
 /// REQUIRES: an allowed tetrahedron has no external facet.
 GrowthResult grow_simply(const CellComplex& complex, const Ground& ground,
                          const std::vector<std::uint8_t>& allowed, std::span<const std::int32_t> confidence,

@@ -17,8 +17,8 @@ FacePlane face_plane(const LatticePlane& plane, double inward) {
 }
 
 /// Local vertices of the cell at the walls of one contour.
-std::vector<std::uint32_t> vertices_of(std::uint32_t plane, std::uint32_t contour, std::span<const CellFace> faces,
-                                       const BuiltCell& cell) {
+std::vector<std::uint32_t> vertices_of(std::uint32_t plane, std::uint32_t contour,
+                                       std::span<const CellFace> faces, const BuiltCell& cell) {
   std::vector<std::uint32_t> vertices;
   for (const CellFace& face : faces)
     for (const Wall& wall : face.triangulation->walls) {
@@ -33,8 +33,8 @@ std::vector<std::uint32_t> vertices_of(std::uint32_t plane, std::uint32_t contou
 
 }  // namespace
 
-CellShape cell_shape(const Arrangement& arrangement, CellId id, std::span<const FaceId> faces, const BuiltCell& cell,
-                     const Numbering& numbering) {
+CellShape cell_shape(const Arrangement& arrangement, CellId id, std::span<const FaceId> faces,
+                     const BuiltCell& cell, const Numbering& numbering) {
   CellShape shape;
   for (const std::uint32_t number : cell.vertices) {
     const LatticePoint& p = numbering.points[number];

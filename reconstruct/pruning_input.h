@@ -13,12 +13,13 @@
 
 namespace crossloft {
 
-/// The cell in rounded lattice coordinates. `faces`: those with vertices, in the order of the masks; those of the
-/// arrangement's box come after them.
-CellShape cell_shape(const Arrangement& arrangement, CellId id, std::span<const FaceId> faces, const BuiltCell& cell,
-                     const Numbering& numbering);
+/// The cell in rounded lattice coordinates. `faces`: those with vertices, in the order of the masks; those of
+/// the arrangement's box come after them.
+CellShape cell_shape(const Arrangement& arrangement, CellId id, std::span<const FaceId> faces,
+                     const BuiltCell& cell, const Numbering& numbering);
 
-/// The requests that concern a cell, by its local vertices: a contour's are those of its walls on the cell's faces.
+/// The requests that concern a cell, by its local vertices: a contour's are those of its walls on the cell's
+/// faces.
 std::vector<JoinWish> cell_wishes(std::span<const JoinRequest> requests, std::span<const CellFace> faces,
                                   const BuiltCell& cell);
 

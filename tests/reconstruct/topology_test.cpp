@@ -10,7 +10,8 @@ using namespace crossloft::test;
 
 namespace {
 
-Reconstruction cut_and_rebuild(const Surface& mesh, const std::vector<CuttingPlane>& planes, const Options& options = {}) {
+Reconstruction cut_and_rebuild(const Surface& mesh, const std::vector<CuttingPlane>& planes,
+                               const Options& options = {}) {
   const auto sections = slice(mesh, planes);
   REQUIRE(sections.ok());
   auto r = reconstruct(*sections, options);
@@ -35,7 +36,8 @@ Sections two_columns(double gap) {
     for (std::uint32_t k = 0; k < 2; ++k) {
       const double x = k * (1 + gap);
       const auto first = static_cast<std::uint32_t>(plane.vertices.size());
-      for (const Vec3& v : {Vec3{x, 0, z}, Vec3{x + 1, 0, z}, Vec3{x + 1, 1, z}, Vec3{x, 1, z}}) plane.vertices.push_back(v);
+      for (const Vec3& v : {Vec3{x, 0, z}, Vec3{x + 1, 0, z}, Vec3{x + 1, 1, z}, Vec3{x, 1, z}})
+        plane.vertices.push_back(v);
       for (std::uint32_t i = 0; i < 4; ++i) plane.edges.push_back({first + i, first + (i + 1) % 4, 1, 0, k});
     }
     sections.planes.push_back(plane);
@@ -71,7 +73,8 @@ TEST_CASE("handles that joint makes are gone, and every section is still met") {
     CHECK(check_surface(natural.surface).genus < check_surface(joint.surface).genus);
     const SectionCheck check = check_sections(natural.surface, natural.sections);
     for (std::size_t p = 0; p < check.planes.size(); ++p)
-      CHECK(check.planes[p].difference_area() <= natural.report.planes[p].flat_area + 1e-6 * natural.report.section_area);
+      CHECK(check.planes[p].difference_area() <=
+            natural.report.planes[p].flat_area + 1e-6 * natural.report.section_area);
   }
 }
 
