@@ -82,6 +82,24 @@ ExitCode run(Arguments arguments) {
   return kGood;
 }
 
+void add_natural_options(CLI::App& command, NaturalOptions& natural) {
+  command
+      .add_option("--join-confidence", natural.join_confidence,
+                  "natural: sections are joined where the best way between them is this sure, -1 to 1")
+      ->capture_default_str()
+      ->check(CLI::Range(-1.0, 1.0));
+  command
+      .add_option("--dome-confidence", natural.dome_confidence,
+                  "natural: a hole in a section is closed over where its dome is this sure, -1 to 1")
+      ->capture_default_str()
+      ->check(CLI::Range(-1.0, 1.0));
+  command
+      .add_option("--smooth-weight", natural.smooth_weight,
+                  "natural: weight of a small surface against a likely volume")
+      ->capture_default_str()
+      ->check(CLI::Range(0.0, 100.0));
+}
+
 }  // namespace
 
 void add_reconstruct(CLI::App& program, ExitCode& outcome) {
@@ -92,29 +110,18 @@ void add_reconstruct(CLI::App& program, ExitCode& outcome) {
   command->add_option("FILE", a.input, "cross-sections")->required()->check(is_sections_file());
   command->add_option("-o,--output", a.surface, "the surface")->required()->check(is_surface_file());
   command->add_option("--solid", a.solid, "also the tetrahedra")->check(is_solid_file());
-  command->add_option("--mode", a.mode, "pruning: natural for the likely shape without needless handles, joint keeps most, paper as "
+  command
+      ->add_option("--mode", a.mode,
+                   "pruning: natural looks for the likely shape without needless handles, joint keeps most, "
+                   "paper is as "
                    "Boissonnat and Memari")
       ->capture_default_str()
       ->check(CLI::IsMember({"natural", "joint", "paper", "paper-literal"}));
-  NaturalOptions& natural = a.options.natural;
-  command
-      ->add_option("--join-confidence", natural.join_confidence,
-                   "natural: sections are joined where the best way between them is this sure, -1 to 1")
-      ->capture_default_str()
-      ->check(CLI::Range(-1.0, 1.0));
-  command
-      ->add_option("--dome-confidence", natural.dome_confidence,
-                   "natural: a hole in a section is closed over where its dome is this sure, -1 to 1")
-      ->capture_default_str()
-      ->check(CLI::Range(-1.0, 1.0));
-  command
-      ->add_option("--smooth-weight", natural.smooth_weight,
-                   "natural: weight of a small surface against a likely volume")
-      ->capture_default_str()
-      ->check(CLI::Range(0.0, 100.0));
+  add_natural_options(*command, a.options.natural);
   command
       ->add_option("--branching", a.branching,
-                   "samples where a section branches: auto where it faces several others, all of the branching diagram")
+                   "samples where a section branches: auto where it faces several others, all of the "
+                   "branching diagram")
       ->capture_default_str()
       ->check(CLI::IsMember({"off", "auto", "all"}));
   command->add_flag("--cutting", a.options.branching.cutting, "also samples of the cutting diagram");
@@ -131,7 +138,8 @@ void add_reconstruct(CLI::App& program, ExitCode& outcome) {
       ->check(CLI::Range(0.0, 0.1));
   command
       ->add_option("--simplify", a.options.simplify,
-                   "leave out contour vertices that a straight edge replaces this closely; a fraction of the diagonal, "
+                   "leave out contour vertices that a straight edge replaces this closely; a fraction of the "
+                   "diagonal, "
                    "0: none; the solid then meets the sections of --dump-sections")
       ->capture_default_str()
       ->check(CLI::Range(0.0, 1.0));
@@ -142,8 +150,9 @@ void add_reconstruct(CLI::App& program, ExitCode& outcome) {
       ->check(extension_in({".png"}));
   command->add_option("--dump-sections", a.sections, "also the sections as the solid meets them")
       ->check(is_sections_file());
-  command->add_option("--dump-branching", a.drawings,
-                      "also a drawing of each branching diagram into this folder: section, arcs, samples")
+  command
+      ->add_option("--dump-branching", a.drawings,
+                   "also a drawing of each branching diagram into this folder: section, arcs, samples")
       ->check([](const std::string& folder) { return folder.empty() ? "names no folder" : std::string(); });
   command->add_option("--threads", a.threads, "worker threads, 0: one per core; the result is the same")
       ->capture_default_str()

@@ -25,6 +25,14 @@ void add_up(const CellReport& cell, TopologyReport& sum) {
   }
 }
 
+std::vector<GroundTriangle> ground_under(const BuiltCell& cell, const std::vector<std::uint8_t>& kept) {
+  std::vector<GroundTriangle> list;
+  for (std::size_t t = 0; t < kept.size(); ++t)
+    for (const GroundTriangle& ground : cell.ground[t])
+      if (kept[t] != 0 && ground.face != kNone) list.push_back(ground);
+  return list;
+}
+
 }  // namespace
 
 std::vector<FaceId> Pipeline::inner_faces(CellId id) const {
@@ -42,34 +50,45 @@ std::vector<CellFace> Pipeline::cell_faces(CellId id, std::span<const FaceId> id
   return faces;
 }
 
-/// Marks the section triangles that kept tetrahedra stand on; each cell has its own side of each face.
-void Pipeline::cover(std::span<const CellFace> faces, std::span<const FaceId> ids, const BuiltCell& cell,
-                     const PruneResult& pruned) {
+/// Marks the section triangles that the cell covers; each cell has its own side of each face.
+void Pipeline::cover(std::span<const CellFace> faces, std::span<const FaceId> ids,
+                     std::span<const GroundTriangle> ground) {
   const auto covered = [&](std::size_t f) -> auto& { return faces_[ids[f].value].covered[faces[f].side]; };
   for (std::size_t f = 0; f < faces.size(); ++f) std::fill(covered(f).begin(), covered(f).end(), 0);
-  for (std::size_t t = 0; t < pruned.kept.size(); ++t)
-    for (const GroundTriangle& ground : cell.ground[t])
-      if (pruned.kept[t] != 0 && ground.face != kNone) covered(ground.face)[ground.triangle] = 1;
+  for (const GroundTriangle& g : ground) covered(g.face)[g.triangle] = 1;
+}
+
+/// Until now the cells may show what lacks solid ground instead (prune_cell).
+void Pipeline::cover_finally() {
+  for (std::uint32_t c = 0; c < cells_.size(); ++c) {
+    if (cells_[c].report.tets_r0 == 0) continue;
+    const std::vector<FaceId> ids = inner_faces(CellId{c});
+    cover(cell_faces(CellId{c}, ids), ids, cells_[c].ground);
+  }
 }
 
 PruneResult Pipeline::prune_built(CellId id, std::span<const FaceId> ids, std::span<const CellFace> faces,
                                   const BuiltCell& cell) const {
   if (options_.mode != PruneMode::natural) return prune(cell.complex, {}, {options_.mode, {}});
   const std::vector<JoinWish> wishes = cell_wishes(options_.joins, faces, cell);
-  return prune(cell.complex, cell_shape(*arrangement_, id, ids, cell, numbering_), {options_.mode, options_.natural},
-               wishes);
+  return prune(cell.complex, cell_shape(*arrangement_, id, ids, cell, numbering_),
+               {options_.mode, options_.natural}, wishes);
 }
 
 /// Joins by places instead of the cell's vertices.
-void Pipeline::report_topology(const BuiltCell& cell, const NaturalReport& natural, CellReport& report) const {
-  const auto place = [&](std::uint32_t v) { return framed_.grid.from_lattice(numbering_.points[cell.vertices[v]]); };
+void Pipeline::report_topology(const BuiltCell& cell, const NaturalReport& natural,
+                               CellReport& report) const {
+  const auto place = [&](std::uint32_t v) {
+    return framed_.grid.from_lattice(numbering_.points[cell.vertices[v]]);
+  };
   const auto share = [](std::int32_t confidence) { return static_cast<double>(confidence) / kCertain; };
   report.topology = natural.after;
   report.genus_before = natural.before.genus;
   report.grown = natural.grown;
   report.joins.clear();
   report.domes.clear();
-  for (const Join& j : natural.joins) report.joins.push_back({place(j.a), place(j.b), share(j.confidence), j.done});
+  for (const Join& j : natural.joins)
+    report.joins.push_back({place(j.a), place(j.b), share(j.confidence), j.done});
   for (const std::int32_t c : natural.domes) report.domes.push_back(share(c));
 }
 
@@ -101,7 +120,12 @@ Result<Done> Pipeline::prune_cell(CellId id, CellState& state) {
   report_topology(cell, pruned.natural, report);
   state.pruning_seconds += watch.lap();
   state.delaunay_seconds = cell.delaunay_seconds;
-  cover(faces, ids, cell, pruned);
+  state.ground = ground_under(cell, pruned.kept);
+  // Natural may leave a section no more than a spike that no solid subset would have: it lacks samples even
+  // so.
+  const bool ask_joint = samples_may_come_ && options_.mode == PruneMode::natural;
+  cover(faces, ids,
+        ask_joint ? ground_under(cell, prune(cell.complex, PruneMode::joint).kept) : state.ground);
   state.tets.clear();
   for (std::size_t t = 0; t < pruned.kept.size(); ++t)
     if (pruned.kept[t] != 0) {
@@ -178,12 +202,15 @@ Result<Done> Pipeline::add_samples() {
 Result<Done> Pipeline::fill_cells() {
   cells_.resize(arrangement_->cell_count());
   const Branching mode = options_.branching.mode;
+  samples_may_come_ = mode == Branching::automatic;
   if (mode != Branching::all)
     if (auto done = prune_due_cells(); !done) return done;
+  samples_may_come_ = false;
   if (mode != Branching::off || options_.branching.cutting) {
     if (auto done = add_samples(); !done) return done;
     if (auto done = prune_due_cells(); !done) return done;
   }
+  cover_finally();
   finish_faces();
   finish_cells();
   return Done{};

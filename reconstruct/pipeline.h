@@ -40,7 +40,8 @@ struct CellState {
   std::vector<std::array<std::uint32_t, 4>> tets;    ///< kept ones, by final vertex numbers
   CellReport report;
   double delaunay_seconds = 0, pruning_seconds = 0;
-  BuiltCell built;  ///< only for an observer
+  std::vector<GroundTriangle> ground;  ///< internal triangles that kept tetrahedra stand on
+  BuiltCell built;                     ///< only for an observer
   PruneResult pruned;
   bool due = true;  ///< to be pruned: not yet done, or its faces have changed
 };
@@ -79,8 +80,8 @@ class Pipeline {
   PruneResult prune_built(CellId id, std::span<const FaceId> ids, std::span<const CellFace> faces,
                           const BuiltCell& cell) const;
   void report_topology(const BuiltCell& cell, const NaturalReport& natural, CellReport& report) const;
-  void cover(std::span<const CellFace> faces, std::span<const FaceId> ids, const BuiltCell& cell,
-             const PruneResult& pruned);
+  void cover(std::span<const CellFace> faces, std::span<const FaceId> ids, std::span<const GroundTriangle> ground);
+  void cover_finally();
   bool may_take_samples(std::span<const FaceId> ids, std::span<const CellFace> faces) const;
   Result<Done> add_samples();
   Result<CellBranching> branch(CellId id, CellState& state);
@@ -114,6 +115,7 @@ class Pipeline {
   std::unique_ptr<LineEdges> line_edges_;
   Numbering numbering_;
   std::vector<CellState> cells_;  ///< by cell of the arrangement
+  bool samples_may_come_ = false;  ///< cells are pruned to see where branching samples are wanted
   std::vector<std::array<std::uint32_t, 4>> tets_;
   Reconstruction result_;
 };

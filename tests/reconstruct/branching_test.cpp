@@ -84,8 +84,10 @@ TEST_CASE("samples lie strictly inside their section and are vertices of both ce
 TEST_CASE("three slices, one and two and one: both ways round are there") {
   const Sections sections{
       "", {row(0, {0.1}, true, 1, 40), row(1, {-1, 1}, true, 0.5, 24), row(2, {0.1}, true, 1, 40)}};
-  const auto alone = reconstruct(sections, with(Branching::off));
-  const auto joined = reconstruct(sections);
+  Options off = with(Branching::off), automatic = with(Branching::automatic);
+  off.mode = automatic.mode = PruneMode::joint;  // where what lacks samples is bare in the end, too
+  const auto alone = reconstruct(sections, off);
+  const auto joined = reconstruct(sections, automatic);
   REQUIRE(alone.ok());
   REQUIRE(joined.ok());
   CHECK(alone->report.flat_regions == 1);

@@ -47,7 +47,9 @@ void check_promises(const Reconstruction& r) {
   CHECK(surface.good_topology());
   CHECK(surface.crossings == 0);
   CHECK(surface.inverted == 0);
-  CHECK(surface.volume == doctest::Approx(r.report.volume));
+  // Copies of pinched vertices draw back into the solid.
+  CHECK(surface.volume <= r.report.volume * (1 + 1e-9));
+  CHECK(surface.volume >= r.report.volume * (r.report.separated_copies == 0 ? 1 - 1e-9 : 0.99));
   double tets = 0;
   for (const auto& t : r.solid.tets) {
     const Vec3 a = r.solid.points[t[0]];
