@@ -6,6 +6,7 @@
 
 #include "contact.h"
 #include "outside.h"
+#include "star.h"
 
 namespace crossloft {
 namespace {
@@ -194,22 +195,24 @@ class SimpleGrowth {
     return true;
   }
 
-  /// Breadth first through the outside, not through the dome. A part of allowed tetrahedra alone can still be
-  /// filled: it counts as wide.
+  /// Breadth first through the outside, not through the dome; across edges too, where gluing leaves it
+  /// connected. A part of allowed tetrahedra alone can still be filled: it counts as wide.
   Opening opening_from(std::uint32_t start, std::uint32_t dome) {
     std::vector<std::uint32_t> seen{start};
     visited_.resize(complex_.mesh.size());
     visited_[start] = visited_[dome] = 1;
     OpeningOf opening(complex_);
     bool fillable = true;
+    const auto see = [&](std::uint32_t t) {
+      if (visited_[t] != 0 || solid_.has(t)) return;
+      visited_[t] = 1;
+      seen.push_back(t);
+    };
     for (std::size_t head = 0; head < seen.size() && opening.kind() != Opening::wide; ++head) {
-      opening.add(seen[head]);
-      fillable &= rank_[seen[head]] != kNone;
-      for (const std::uint32_t n : complex_.mesh.neighbours[seen[head]]) {
-        if (n == kNone || visited_[n] != 0 || solid_.has(n)) continue;
-        visited_[n] = 1;
-        seen.push_back(n);
-      }
+      const std::uint32_t t = seen[head];
+      opening.add(t);
+      fillable &= rank_[t] != kNone;
+      for (unsigned corner = 4; corner < kCorners; ++corner) visit_around_edge(complex_.mesh, t, corner, see);
     }
     for (const std::uint32_t t : seen) visited_[t] = 0;
     visited_[dome] = 0;

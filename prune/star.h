@@ -46,6 +46,25 @@ inline unsigned same_corner(const TetMesh& mesh, std::uint32_t t, unsigned corne
   return kEdgeCorner[slot_of(to, from[ends[0]])][slot_of(to, from[ends[1]])];
 }
 
+/// Calls visit(n) for the other tetrahedra n around an edge of `start`, once each: around once, or on both sides as far
+/// as the hull. O(degree of the edge).
+template <class Visit>
+void visit_around_edge(const TetMesh& mesh, std::uint32_t start, unsigned corner, Visit&& visit) {
+  const unsigned both = kCornerFacets[corner];
+  for (const unsigned side : {both & (~both + 1), both & (both - 1)}) {
+    auto out = static_cast<unsigned>(__builtin_ctz(side));
+    for (std::uint32_t t = start, at = corner;;) {
+      const std::uint32_t n = mesh.neighbours[t][out];
+      if (n == kNone) break;
+      if (n == start) return;
+      visit(n);
+      at = same_corner(mesh, t, at, n);
+      out = static_cast<unsigned>(__builtin_ctz(kCornerFacets[at] & ~(1U << facet_towards(mesh, n, t))));
+      t = n;
+    }
+  }
+}
+
 /// Solidity is asked at vertices and grounded edges only.
 inline bool is_grounded(const CellComplex& complex, std::uint32_t t, unsigned corner) {
   return corner < 4 || complex.edges[t][corner - 4] != EdgeKind::free;

@@ -231,7 +231,7 @@ CellComplex deep_cell(std::uint32_t seed) {
     std::set<Point> points;
     while (points.size() < 13) points.insert(two_plane_point(random, 0, 300));
     for (std::uint32_t i = 0, n = 6 + random() % 5; i < n; ++i) {
-      points.insert({{coordinate(random), coordinate(random), 1 + static_cast<std::int64_t>(random() % 298)}, 0});
+      points.insert({{coordinate(random), coordinate(random), 1 + coordinate(random) % 298}, 0});
     }
     const std::vector<Point> list(points.begin(), points.end());
     const auto tets = delaunay(list);

@@ -46,10 +46,11 @@ bool has_no_touching_sections(const BruteSolid& brute) {
   return std::all_of(corners.begin(), corners.end(), [](const auto& c) { return c.second.size() == 1; });
 }
 
+/// A few per cent are missing: enough for holes to go around, too few to fall apart; or half of all.
 Flags random_subset(const Flags& flags, std::mt19937& random) {
-  const std::uint32_t share = 5 + random() % 6;
+  const std::uint32_t toss = random() % 4, missing = toss == 0 ? 50 : 4 * toss;
   Flags subset = flags;
-  for (std::uint8_t& x : subset) x = x != 0 && random() % 10 < share;
+  for (std::uint8_t& x : subset) x = x != 0 && random() % 100 >= missing;
   return subset;
 }
 
@@ -98,7 +99,7 @@ std::vector<Join> done(const GrowthResult& result) {
 
 TEST_CASE("random cells: no handle and no void, whatever is allowed and however sure it is") {
   std::size_t kept_count = 0, domes = 0, joins = 0, refused = 0, left = 0;
-  for (std::uint32_t seed = 0; seed < 400; ++seed) {
+  for (std::uint32_t seed = 0; seed < 1200; ++seed) {
     CAPTURE(seed);
     std::mt19937 random(seed);
     const CellComplex cell = any_cell(seed);
@@ -107,7 +108,7 @@ TEST_CASE("random cells: no handle and no void, whatever is allowed and however 
     const Flags most = without_external_facet(cell);
     const Flags allowed = seed % 8 < 2 ? most : random_subset(most, random);
     const auto confidence = random_confidence(cell.mesh.size(), random);
-    const GrowthLimits limits{static_cast<std::int32_t>(random() % 12) - 6, static_cast<std::int32_t>(random() % 12) - 6, {}};
+    const GrowthLimits limits{static_cast<std::int32_t>(random() % 12) - 6, static_cast<std::int32_t>(random() % 9) - 6, {}};
     const GrowthResult result = grow_simply(cell, ground, allowed, confidence, limits);
     const BruteSolid::Counts counts = brute.count(result.kept);
     CHECK(counts.genus == 0);
@@ -129,9 +130,29 @@ TEST_CASE("random cells: no handle and no void, whatever is allowed and however 
   MESSAGE("kept " << kept_count << ", left " << left << ", domes " << domes << ", joins " << joins << ", refused " << refused);
   CHECK(kept_count > 1000);
   CHECK(left > 100);
-  CHECK(domes > 20);
+  CHECK(domes > 5);
   CHECK(joins > 100);
   CHECK(refused > 50);
+}
+
+TEST_CASE("a dome must not close in what hangs on the outside at an edge only") {
+  // What is not allowed here are single tetrahedra within; growth once closed some in at their last open edge.
+  std::size_t domes = 0;
+  for (std::uint32_t seed = 2000; seed < 2400; ++seed) {
+    CAPTURE(seed);
+    std::mt19937 random(seed);
+    const CellComplex cell = deep_cell(seed);
+    Flags allowed = without_external_facet(cell);
+    for (std::uint8_t& x : allowed) x = x != 0 && random() % 100 >= 5;
+    std::vector<std::int32_t> confidence(allowed.size());
+    for (std::int32_t& c : confidence) c = static_cast<std::int32_t>(random() % 1000);
+    const GrowthResult result = grow_simply(cell, Ground(cell), allowed, confidence, {0, 0, {}});
+    const BruteSolid::Counts counts = BruteSolid(cell).count(result.kept);
+    CHECK(counts.voids == 0);
+    CHECK(counts.genus == 0);
+    domes += result.domes.size();
+  }
+  CHECK(domes > 0);
 }
 
 TEST_CASE("random cells: what is left could not be added by a simple move") {
