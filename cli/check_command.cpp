@@ -40,9 +40,13 @@ void print_topology(Terminal& terminal, const CheckReport& r) {
 }
 
 void print_components(Terminal& terminal, const CheckReport& r) {
-  terminal.print("components   %zu, %u of them cavities, %u inside out\n", r.components.size(), r.cavities,
-                 r.inverted);
-  terminal.print("genus        %lld\n", static_cast<long long>(r.genus));
+  terminal.print("components   %zu\ncavities     %u\n", r.components.size(), r.cavities);
+  if (r.good_topology()) {
+    terminal.print("genus        %lld\n", static_cast<long long>(r.genus));
+  } else {
+    terminal.print("genus        unknown, this is no closed manifold\n");
+  }
+  if (r.inverted > 0) terminal.print("inside out   %u components\n", r.inverted);
   terminal.print("volume       %.9g\narea         %.9g\n", r.volume, r.area);
   if (r.components.size() < 2) return;
   for (std::size_t i = 0; i < r.components.size(); ++i) {

@@ -1,4 +1,6 @@
+#include <cmath>
 #include <string>
+#include <vector>
 
 #include "../io/atomic_file.h"
 #include "../io/read_sections.h"
@@ -21,6 +23,7 @@ struct Arguments {
   std::string input, surface, solid, report, sections, picture, drawings;
   std::string mode = "natural", branching = "auto";
   Options options;
+  PictureOptions view;
   unsigned threads = 0;
   bool quiet = false;
 };
@@ -72,7 +75,7 @@ ExitCode run(Arguments arguments) {
   const auto result = reconstruct(*sections, arguments.options, context, draw ? &drawings : nullptr);
   if (!result) return terminal.fail(result.error());
   Image picture;
-  if (!arguments.picture.empty()) picture = draw_picture(result->sections, result->surface);
+  if (!arguments.picture.empty()) picture = draw_picture(result->sections, result->surface, arguments.view);
   if (context.cancelled()) return terminal.fail(make_error(ErrorCode::cancelled, "interrupted"));
   ignore_interrupts();  // from here on the files appear, all of them
   const auto written = write_results(arguments, *result, picture, drawings, context);
@@ -98,6 +101,43 @@ void add_natural_options(CLI::App& command, NaturalOptions& natural) {
                   "natural: weight of a small surface against a likely volume")
       ->capture_default_str()
       ->check(CLI::Range(0.0, 100.0));
+}
+
+void add_view(CLI::App& command, PictureOptions& view) {
+  command
+      .add_option_function<std::vector<int>>(
+          "--picture-size",
+          [&view](const std::vector<int>& size) {
+            view.width = size[0];
+            view.height = size[1];
+          },
+          "of the picture in pixels (default 1200 675)")
+      ->expected(2)
+      ->type_name("WIDTH HEIGHT")
+      ->check(CLI::Range(16, 8192));
+  command
+      .add_option_function<std::vector<double>>(
+          "--picture-from",
+          [&view](const std::vector<double>& from) {
+            view.from = {from[0], from[1], from[2]};
+            if (!is_finite(view.from) || !(view.from.z > 0) || (view.from.x == 0 && view.from.y == 0))
+              throw CLI::ValidationError("--picture-from", "must look down on it, but not along z");
+          },
+          "direction towards the viewer (default 0.42 -0.9 0.36)")
+      ->expected(3)
+      ->type_name("X Y Z");
+  command
+      .add_option_function<std::vector<double>>(
+          "--picture-of",
+          [&view](const std::vector<double>& part) {
+            view.middle = {part[0], part[1], part[2]};
+            view.reach = part[3];
+            if (!is_finite(view.middle) || !std::isfinite(view.reach) || !(view.reach > 0))
+              throw CLI::ValidationError("--picture-of", "needs a point and a length above 0");
+          },
+          "only what is this near to a point (default: all)")
+      ->expected(4)
+      ->type_name("X Y Z LENGTH");
 }
 
 }  // namespace
@@ -148,6 +188,7 @@ void add_reconstruct(CLI::App& program, ExitCode& outcome) {
   command->add_option("--report", a.report, "also a report (docs/report.md)")->check(extension_in({".json"}));
   command->add_option("--picture", a.picture, "also a picture of sections and surface")
       ->check(extension_in({".png"}));
+  add_view(*command, a.view);
   command->add_option("--dump-sections", a.sections, "also the sections as the solid meets them")
       ->check(is_sections_file());
   command

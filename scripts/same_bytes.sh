@@ -15,7 +15,7 @@ scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 for name in release dev clang; do
   mkdir "$scratch/$name"
-  for input in examples/*.contour examples/figures/*.contour; do
+  for input in examples/*.contour examples/figures/*.contour examples/topology/*.contour; do
     target=$scratch/$name/$(basename "$input" .contour)
     build/$name/crossloft reconstruct "$input" --quiet -o "$target.ply" --solid "$target.vtu" \
       --dump-sections "$target.contour" >/dev/null

@@ -23,6 +23,7 @@ View view_from(Vec3 toward) {
 Canvas::Canvas(int width, int height)
     : width_(kSamples * width),
       height_(kSamples * height),
+      end_x_(width_),
       colour_(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_), Rgb{1, 1, 1}),
       depth_(colour_.size(), kNowhere),
       fragments_(static_cast<std::size_t>(height_)) {}

@@ -56,16 +56,24 @@ class Canvas {
   int width() const { return width_; }    ///< in samples
   int height() const { return height_; }  ///< in samples
 
-  /// Covers a background sample, whatever its depth.
+  /// From here on only samples with first_x <= x < end_x are drawn on.
+  void clip(int first_x, int end_x) {
+    first_x_ = first_x;
+    end_x_ = end_x;
+  }
+
+  /// Covers a background sample, whatever its depth or the clip.
   void background(int x, int y, Rgb colour) { colour_[at(x, y)] = colour; }
   void shade(int x, int y, float factor) { colour_[at(x, y)] = factor * colour_[at(x, y)]; }
   bool in_front(int x, int y, double depth) const { return depth > depth_[at(x, y)]; }
   void opaque(int x, int y, double depth, Rgb colour) {
+    if (x < first_x_ || x >= end_x_) return;
     colour_[at(x, y)] = colour;
     depth_[at(x, y)] = static_cast<float>(depth);
   }
   bool empty(int x, int y) const { return depth_[at(x, y)] == kNowhere; }
   void translucent(int x, int y, double depth, Rgb colour, float alpha) {
+    if (x < first_x_ || x >= end_x_) return;
     fragments_[static_cast<std::size_t>(y)].push_back({x, static_cast<float>(depth), alpha, colour});
   }
 
@@ -87,6 +95,7 @@ class Canvas {
   static constexpr float kNowhere = -std::numeric_limits<float>::infinity();
 
   int width_, height_;
+  int first_x_ = 0, end_x_;
   std::vector<Rgb> colour_;
   std::vector<float> depth_;
   std::vector<std::vector<Fragment>> fragments_;  ///< by row

@@ -59,6 +59,13 @@ void fit(View& view, const Scene& scene, const Canvas& canvas) {
   view.y = 0.5 * canvas.height();
 }
 
+/// Makes the ball of options.reach around options.middle fill one half of the canvas.
+void fit_part(View& view, const PictureOptions& options, const Canvas& canvas) {
+  view.center = options.middle;
+  view.scale = 0.5 / options.reach * std::min(canvas.height(), canvas.width() / 2);
+  view.y = 0.5 * canvas.height();
+}
+
 void paint_background(Canvas& canvas) {
   for (int y = 0; y < canvas.height(); ++y) {
     const float low = static_cast<float>(y) / static_cast<float>(canvas.height());
@@ -184,12 +191,18 @@ Image draw_picture(const Sections& sections, const Surface& surface, const Pictu
   Canvas canvas(options.width, options.height);
   paint_background(canvas);
   View view = view_from(options.from);
-  fit(view, scene, canvas);
+  if (options.reach > 0) {
+    fit_part(view, options, canvas);
+  } else {
+    fit(view, scene, canvas);
+  }
   view.x = 0.25 * canvas.width();
+  canvas.clip(0, canvas.width() / 2);
   for (std::size_t k = 0; k < sections.planes.size(); ++k)
     paint_section(canvas, view, sections.planes[k], hue(k));
   paint_contours(canvas, view, sections, 0.5);
   view.x = 0.75 * canvas.width();
+  canvas.clip(canvas.width() / 2, canvas.width());
   paint_surface(canvas, view, scene, lighting);
   paint_shadow(canvas, view, scene, lighting, canvas.width() / 2);
   paint_contours(canvas, view, sections, 0.004 * scene.radius * view.scale);

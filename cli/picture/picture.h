@@ -10,6 +10,8 @@ namespace crossloft::cli {
 struct PictureOptions {
   int width = 1200, height = 675;   ///< pixels
   Vec3 from = {0.42, -0.90, 0.36};  ///< direction to the viewer, z is up
+  Vec3 middle;                      ///< of what is shown if
+  double reach = 0;                 ///< this is not 0: how far around it
 };
 
 /// Draws, seen without perspective, standing on the ground. Depends on its arguments only.

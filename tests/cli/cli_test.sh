@@ -106,6 +106,33 @@ expect 0 'good' check few.ply few.contour
 expect 2 '' reconstruct "$source/examples/demo.contour" -o few.ply --simplify -1
 expect 2 '' reconstruct "$source/examples/demo.contour" -o few.ply --simplify 2
 
+# The topology of the whole: a hollow tetrahedron; the pictures of prune/README.md
+printf 'OFF\n8 8 0\n0 0 0\n9 0 0\n0 9 0\n0 0 9\n1 1 1\n2 1 1\n1 2 1\n1 1 2
+3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n3 4 5 6\n3 4 7 5\n3 4 6 7\n3 5 7 6\n' >hollow.off
+# topology COMPONENTS CAVITIES GENUS SURFACE: what check says of a surface.
+topology() {
+  expect 0 "^components +$1\$" check "$4"
+  grep -Eq "^cavities +$2\$" out.txt && grep -Eq "^genus +$3\$" out.txt ||
+    { echo "FAILED: $4 has not $2 cavities, genus $3:"; cat out.txt; failures=$((failures + 1)); }
+}
+topology 2 1 0 hollow.off
+sed 's/^3 \([0-9]\) \([0-9]\) \([0-9]\)$/3 \1 \3 \2/' hollow.off >inverted.off
+expect 0 '^inside out +2 components$' check inverted.off
+examples=$source/examples/topology
+for mode in joint natural; do expect 0 '' reconstruct "$examples/tunnel.contour" -o $mode.ply --mode $mode; done
+topology 1 0 2 joint.ply
+topology 1 0 1 natural.ply
+expect 0 '' reconstruct "$examples/dome.contour" -o closed.ply
+expect 0 '' reconstruct "$examples/dome.contour" -o open.ply --dome-confidence 0.5
+topology 1 0 0 closed.ply
+topology 1 0 1 open.ply
+expect 0 '' reconstruct "$examples/link.contour" -o annular.ply --mode joint --report annular.json --picture annular.png \
+  --picture-size 64 32 --picture-from 0.6 -0.5 0.4 --picture-of -0.9 0.45 0.3 0.45
+grep -q '"vertex_copies": 1,' annular.json && grep -q '"bad_links": 1$' annular.json || fail 'not one annular link'
+[ "$(od -An -tx1 -j16 -N8 annular.png | tr -d ' ')" = 0000004000000020 ] || fail 'a picture of another size'
+expect 2 'picture-from' reconstruct "$examples/link.contour" -o annular.ply --picture-from 0 0 1
+expect 2 'picture-of' reconstruct "$examples/link.contour" -o annular.ply --picture-of 0 0 1 0
+
 # Delaunay: the same points as text, surfaces and raw doubles
 # value KEY REPORT: what a report says.
 value() { sed -n "s/^  \"$1\": \"\?\([^\",]*\)\"\?,\?\$/\1/p" "$2"; }
@@ -287,6 +314,7 @@ expect 3 '' reconstruct bowtie.contour -o kept.ply
 # Broken promise
 printf 'OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n' >triangle.off
 expect 1 'closed +NO' check triangle.off
+grep -q '^genus *unknown' out.txt || fail 'a genus without a manifold'
 
 # Ctrl-C: exit 130 or finished before, and nothing half-written
 "$program" demo -o interrupted >/dev/null 2>&1 </dev/null & running=$!
