@@ -97,7 +97,7 @@ Contact GrowingSolid::contact(std::uint32_t t) {
   contact.facets = glued_facets(t);
   std::array<unsigned, 4> part{0, 1, 2, 3};  // of each facet of the contact: its smallest one
   const auto unite = [&](unsigned i, unsigned j) {
-    const auto [low, high] = std::minmax(part[i], part[j]);
+    const auto [low, high] = std::minmax({part[i], part[j]});
     for (unsigned& p : part)
       if (p == high) p = low;
   };

@@ -68,7 +68,7 @@ SectionRows::SectionRows(int dropped_axis, std::vector<Segment> contour) : axis_
   rows_per_unit_ = high_ > low_ ? static_cast<double>(rows_) / (high_ - low_) : 0;
   begin_.assign(rows_ + 1, 0);
   const auto for_rows = [&](const Segment& s, auto visit) {
-    const auto [first, last] = std::minmax(row_of(s[1]), row_of(s[3]));
+    const auto [first, last] = std::minmax({row_of(s[1]), row_of(s[3])});
     for (std::size_t r = first; r <= last; ++r) visit(r);
   };
   for (const Segment& s : contour) for_rows(s, [&](std::size_t r) { ++begin_[r + 1]; });
