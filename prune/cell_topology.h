@@ -31,6 +31,8 @@ struct CellTopology {
   std::int64_t euler = 0;    ///< of S, cut apart as said
   std::uint32_t curves = 0;  ///< boundary curves of S
   std::uint32_t bare = 0;    ///< ground triangles without a kept tetrahedron
+
+  friend bool operator==(const CellTopology&, const CellTopology&) = default;
 };
 
 /// O(n + degrees of edges on S). REQUIRES: kept.size() == complex.mesh.size().

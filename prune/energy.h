@@ -20,7 +20,7 @@ struct EnergyWeights {
 ///     smooth area(surface within the cell) - volume sum over tetrahedra of (confidence + offset) volume /
 ///     size,
 /// size = the cube root of the volume of the cell's vertices' hull, among those that contain all tetrahedra
-/// that stand on the sections; the smallest if there are several, so it is unique. A minimum cut between
+/// of R1 that stand on the sections or have an edge within them; the smallest if there are several, so it is unique. A minimum cut between
 /// neighbours (min_cut.h) with capacities rounded to integers.
 /// REQUIRES: confidences as in confidence.h; r1[t] = 0 for tetrahedra that can't be kept.
 std::vector<std::uint8_t> cheapest_solid(const CellComplex& complex, const CellShape& shape,

@@ -4,6 +4,7 @@
 #include <array>
 #include <tuple>
 
+#include "cell_topology.h"
 #include "disjoint_sets.h"
 #include "star.h"
 
@@ -12,7 +13,7 @@ namespace {
 
 using Triple = std::array<std::uint32_t, 3>;
 
-struct Facet {
+struct KeptFacet {
   Triple vertices;  ///< sorted
   std::uint32_t tet;
 };
@@ -89,13 +90,13 @@ bool edges_agree(const CellComplex& complex) {
          }) == all.end();
 }
 
-std::vector<Facet> facets_of_kept(const TetMesh& mesh, const std::vector<std::uint8_t>& kept) {
-  std::vector<Facet> all;
+std::vector<KeptFacet> facets_of_kept(const TetMesh& mesh, const std::vector<std::uint8_t>& kept) {
+  std::vector<KeptFacet> all;
   for (std::uint32_t t = 0; t < mesh.size(); ++t) {
     if (kept[t] == 0) continue;
     for (unsigned i = 0; i < 4; ++i) all.push_back({sorted_facet(mesh.vertices[t], i), t});
   }
-  std::sort(all.begin(), all.end(), [](const Facet& p, const Facet& q) {
+  std::sort(all.begin(), all.end(), [](const KeptFacet& p, const KeptFacet& q) {
     return std::tie(p.vertices, p.tet) < std::tie(q.vertices, q.tet);
   });
   return all;
@@ -110,7 +111,7 @@ std::uint32_t node(const TetMesh& mesh, std::uint32_t t, std::uint32_t a, std::u
 /// One set for each part of a star that is connected across facets: nodes are t * kCorners + corner.
 DisjointSets star_parts(const TetMesh& mesh, const std::vector<std::uint8_t>& kept) {
   DisjointSets parts(std::size_t{kCorners} * mesh.size());
-  const std::vector<Facet> facets = facets_of_kept(mesh, kept);
+  const std::vector<KeptFacet> facets = facets_of_kept(mesh, kept);
   for (std::size_t k = 0; k + 1 < facets.size(); ++k) {
     if (facets[k].vertices != facets[k + 1].vertices) continue;
     for (const std::uint32_t a : facets[k].vertices) {
@@ -154,7 +155,7 @@ bool conforms(const CellComplex& complex, const std::vector<std::uint8_t>& kept)
 
 bool counts_fit(const PruneResult& result) {
   return result.r0 == result.kept.size() && result.r0 >= result.r1 && result.r1 >= result.r3 &&
-         result.r3 >= result.r2 &&
+         result.r1 >= result.r2 &&
          result.r3 ==
              static_cast<std::size_t>(std::count(result.kept.begin(), result.kept.end(), std::uint8_t{1}));
 }
@@ -176,8 +177,15 @@ bool verify(const CellComplex& complex) {
 }
 
 bool verify(const CellComplex& complex, const PruneResult& result) {
-  return result.kept.size() == complex.mesh.size() && counts_fit(result) && conforms(complex, result.kept) &&
-         is_solid(complex, result.kept);
+  return result.kept.size() == complex.mesh.size() && counts_fit(result) && result.r3 >= result.r2 &&
+         conforms(complex, result.kept) && is_solid(complex, result.kept);
+}
+
+bool verify_natural(const CellComplex& complex, const PruneResult& result) {
+  if (result.kept.size() != complex.mesh.size() || !counts_fit(result) || result.r3 > result.r2) return false;
+  const CellTopology found = count_topology(complex, Ground(complex), result.kept);
+  return conforms(complex, result.kept) && found == result.natural.after && found.genus == 0 && found.voids == 0 &&
+         found.bodies <= found.sections;
 }
 
 }  // namespace crossloft

@@ -92,6 +92,16 @@ void Pipeline::report_topology(const BuiltCell& cell, const NaturalReport& natur
   for (const std::int32_t c : natural.domes) report.domes.push_back(share(c));
 }
 
+Result<Done> Pipeline::check_pruned(const BuiltCell& cell, const PruneResult& pruned) const {
+  return self_check("pruning", [&] {
+    if (!verify(cell.complex)) return "a cell's tetrahedra or kinds are wrong";
+    if (options_.mode == PruneMode::natural)
+      return verify_natural(cell.complex, pruned) ? "" : "a cell has a handle, a hole or a wrong report";
+    const bool may_fail = options_.mode == PruneMode::paper_literal;  // as documented
+    return may_fail || verify(cell.complex, pruned) ? "" : "a cell is not solid";
+  });
+}
+
 Result<Done> Pipeline::prune_cell(CellId id, CellState& state) {
   const std::vector<FaceId> ids = inner_faces(id);
   const std::vector<CellFace> faces = cell_faces(id, ids);
@@ -105,12 +115,7 @@ Result<Done> Pipeline::prune_cell(CellId id, CellState& state) {
   if (cell.complex.mesh.size() == 0) return Done{};
   Stopwatch watch;
   PruneResult pruned = prune_built(id, ids, faces, cell);
-  const auto good = self_check("pruning", [&] {
-    const bool may_fail =  // solidity, as documented
-        options_.mode == PruneMode::paper_literal || options_.mode == PruneMode::natural;
-    return verify(cell.complex) && (may_fail || verify(cell.complex, pruned)) ? "" : "a cell is not solid";
-  });
-  if (!good) return good;
+  if (auto good = check_pruned(cell, pruned); !good) return good;
   CellReport& report = state.report;
   report.faces = static_cast<std::uint32_t>(faces.size());
   report.vertices = cell.complex.vertex_count;

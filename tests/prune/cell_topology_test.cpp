@@ -140,9 +140,7 @@ TEST_CASE("random cells: the counts do not depend on the numbers of the tetrahed
     for (const Flags& kept : solids(cell, random)) {
       Flags moved;
       for (const std::uint32_t t : from) moved.push_back(kept[t]);
-      const CellTopology a = count_topology(cell, ground, kept), b = count_topology(other, other_ground, moved);
-      CHECK(std::tuple(a.sections, a.bodies, a.outsides, a.voids, a.genus, a.euler, a.curves, a.bare) ==
-            std::tuple(b.sections, b.bodies, b.outsides, b.voids, b.genus, b.euler, b.curves, b.bare));
+      CHECK(count_topology(cell, ground, kept) == count_topology(other, other_ground, moved));
     }
   }
 }

@@ -1,0 +1,155 @@
+// The mode `natural` as a whole.
+#include "prune/natural.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+
+#include "brute_solid.h"
+#include "cells.h"
+#include "prune/confidence.h"
+#include "prune/energy.h"
+#include "prune/outside.h"
+#include "prune/prune.h"
+#include "prune/verify.h"
+
+namespace {
+
+using namespace crossloft;
+using namespace crossloft::test;
+
+/// The defaults, or limits that some cells don't meet.
+NaturalOptions options_for(std::uint32_t seed) {
+  NaturalOptions options;
+  if (seed % 3 == 1) options = {0.3, 0.3, 0.2};
+  if (seed % 3 == 2) options = {-1, 0.9, 3};
+  return options;
+}
+
+PruneResult prune_cell(const PlacedCell& cell, const NaturalOptions& options, std::span<const JoinWish> wishes = {}) {
+  return prune(cell.complex, cell.shape, {PruneMode::natural, options}, wishes);
+}
+
+std::size_t count(const Flags& flags) { return static_cast<std::size_t>(std::count(flags.begin(), flags.end(), 1)); }
+
+}  // namespace
+
+TEST_CASE("random cells: no handle, no hole, all within R1 and the cheapest solid; the report says what is") {
+  std::size_t grown = 0, handles = 0, joins = 0;
+  for (std::uint32_t seed = 0; seed < 400; ++seed) {
+    CAPTURE(seed);
+    const PlacedCell cell = placed_cell(seed);
+    const NaturalOptions options = options_for(seed);
+    const PruneResult result = prune_cell(cell, options);
+    CHECK(verify_natural(cell.complex, result));
+    const BruteSolid brute(cell.complex);
+    const BruteSolid::Counts counts = brute.count(result.kept);
+    CHECK(counts.genus == 0);
+    CHECK(counts.voids == 0);
+    const NaturalReport& report = result.natural;
+    CHECK(report.after.bodies == counts.bodies);
+    CHECK(report.after.outsides == counts.outsides);
+    const Flags r1 = r1_of(cell.complex);
+    CHECK(result.r1 == count(r1));
+    EnergyWeights weights;
+    weights.smooth = options.smooth_weight;
+    const auto confidence = confidences(cell.complex, cell.shape, r1);
+    const Flags cut = cheapest_solid(cell.complex, cell.shape, r1, confidence, weights);
+    CHECK(result.r2 == count(cut));
+    CHECK(report.before.genus == brute.count(cut).genus);
+    for (std::uint32_t t = 0; t < cut.size(); ++t) CHECK(result.kept[t] <= cut[t]);
+    std::size_t done = 0;
+    for (const Join& j : report.joins) {
+      done += j.done ? 1U : 0U;
+      CHECK(j.done == (j.confidence >= options.join_confidence * kCertain));
+    }
+    CHECK(report.after.sections - report.after.bodies == done);
+    if (!report.grown) {
+      CHECK(result.kept == cut);
+      CHECK((report.after.outsides <= 1 || !has_dome(cell.complex, cut)));
+    }
+    grown += report.grown ? 1U : 0U;
+    handles += report.before.genus;
+    joins += done;
+  }
+  MESSAGE("grown " << grown << ", handles before " << handles << ", joins " << joins);
+  CHECK(grown > 20);
+  CHECK(grown < 380);
+  CHECK(joins > 50);
+}
+
+TEST_CASE("random cells: the result does not depend on the numbers of the tetrahedra nor on their slots") {
+  for (std::uint32_t seed = 400; seed < 600; ++seed) {
+    CAPTURE(seed);
+    std::mt19937 random(seed);
+    PlacedCell cell = placed_cell(seed);
+    cell.shape = turned(cell.shape, random);
+    std::vector<std::uint32_t> from;
+    const PlacedCell other{shuffled(cell.complex, random, from), cell.shape};
+    const PruneResult a = prune_cell(cell, options_for(seed)), b = prune_cell(other, options_for(seed));
+    for (std::uint32_t t = 0; t < from.size(); ++t) CHECK(b.kept[t] == a.kept[from[t]]);
+    CHECK(b.r2 == a.r2);
+    CHECK(b.natural.before == a.natural.before);
+    CHECK(b.natural.after == a.natural.after);
+    CHECK(b.natural.grown == a.natural.grown);
+    CHECK(b.natural.joins == a.natural.joins);
+    CHECK(b.natural.domes == a.natural.domes);
+  }
+}
+
+TEST_CASE("random cells: what joins two sections is undone by a wish") {
+  std::size_t undone = 0;
+  for (std::uint32_t seed = 600; seed < 800; ++seed) {
+    CAPTURE(seed);
+    const PlacedCell cell = placed_cell(seed);
+    const PruneResult free = prune_cell(cell, {-1, -1, 1});
+    if (free.natural.after.sections != 2 || free.natural.after.bodies != 1) continue;
+    // The vertices of the two sections.
+    const BruteSolid brute(cell.complex);
+    const Groups sections = brute.bodies(Flags(free.kept.size(), 0));
+    std::vector<std::set<std::uint32_t>> sides(2);
+    const std::vector<std::size_t> ground = brute.ground();
+    for (const std::size_t p : ground)
+      sides[sections.of(p) == sections.of(ground[0]) ? 0 : 1].insert(brute.pieces()[p].begin(), brute.pieces()[p].end());
+    const JoinWish wish{{sides[0].begin(), sides[0].end()}, {sides[1].begin(), sides[1].end()}, false};
+    const PruneResult apart = prune_cell(cell, {-1, -1, 1}, {&wish, 1});
+    CHECK(apart.natural.after.bodies == 2);
+    CHECK(apart.natural.grown);
+    CHECK(verify_natural(cell.complex, apart));
+    ++undone;
+  }
+  CHECK(undone > 10);
+}
+
+TEST_CASE("verify_natural finds each kind of damage") {
+  PlacedCell cell;
+  cell.complex = make_cell({{0, 1, 2, 3}, {1, 2, 3, 4}, {2, 3, 4, 5}}, {1, 1, 1, 2, 2, 2}, {{0, 1, 2}, {3, 4, 5}});
+  cell.shape.points = {{0, 0, 0}, {9, 0, 0}, {0, 9, 0}, {0, 0, 1}, {9, 0, 1}, {0, 9, 1}};
+  cell.shape.faces = {{{0, 0, 1}, 0}, {{0, 0, -1}, 1}};
+  const PruneResult good = prune_cell(cell, {});
+  CHECK(good.r3 == 3);
+  REQUIRE(verify_natural(cell.complex, good));
+  const auto is_found = [&](auto damage) {
+    PruneResult bad = good;
+    damage(bad);
+    return !verify_natural(cell.complex, bad);
+  };
+  CHECK(is_found([](PruneResult& r) { r.kept.pop_back(); }));
+  CHECK(is_found([](PruneResult& r) { r.r3 = 2; }));
+  CHECK(is_found([](PruneResult& r) { r.r2 = 2; }));
+  CHECK(is_found([](PruneResult& r) { r.r1 = 2; }));
+  CHECK(is_found([](PruneResult& r) { r.natural.after.bodies = 2; }));
+  CHECK(is_found([](PruneResult& r) { r.kept[1] = 0, r.r3 = 2; }));  // not the reported topology
+  // The same where the upper triangle is outside: it does not conform.
+  PruneResult outside = good;
+  const CellComplex half = make_cell(cell.complex.mesh.vertices, cell.complex.face_masks, {{0, 1, 2}});
+  outside.natural.after = count_topology(half, Ground(half), good.kept);
+  CHECK_FALSE(verify_natural(half, outside));
+  // A body on no section has a wall without boundary.
+  PruneResult island = good;
+  const CellComplex bare = make_cell({{0, 1, 2, 3}}, {0, 0, 0, 0}, {});
+  island.kept = {1};
+  island.r0 = island.r1 = island.r2 = island.r3 = 1;
+  island.natural.after = count_topology(bare, Ground(bare), island.kept);
+  CHECK_FALSE(verify_natural(bare, island));
+}
