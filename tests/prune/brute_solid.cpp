@@ -122,7 +122,8 @@ std::int64_t BruteSolid::euler_of_solid(const Flags& kept) const {
   std::int64_t euler = 0;
   for (std::size_t t = 0; t < tets_; ++t) euler -= kept[t] != 0 ? 1 : 0;
   for (const auto& [triangle, pieces] : faces_[2])
-    euler += std::any_of(pieces.begin(), pieces.end(), [&](std::size_t p) { return is_solid(kept, p); }) ? 1 : 0;
+    euler +=
+        std::any_of(pieces.begin(), pieces.end(), [&](std::size_t p) { return is_solid(kept, p); }) ? 1 : 0;
   for (const std::size_t size : {1, 2})
     for (const auto& [simplex, pieces] : faces_[size - 1]) {
       const Groups groups = star(kept, simplex);

@@ -25,9 +25,9 @@ class Groups {
   std::vector<std::size_t> group_;
 };
 
-/// Pieces of the cell are its tetrahedra, by their numbers, and after them the *collar*: one prism on each hull
-/// triangle. The solid is the kept tetrahedra and the prisms on internal triangles, all else is outside. Two
-/// pieces touch in the vertices they share if these are a triangle, or a hull edge between two prisms.
+/// Pieces of the cell are its tetrahedra, by their numbers, and after them the *collar*: one prism on each
+/// hull triangle. The solid is the kept tetrahedra and the prisms on internal triangles, all else is outside.
+/// Two pieces touch in the vertices they share if these are a triangle, or a hull edge between two prisms.
 class BruteSolid {
  public:
   explicit BruteSolid(const CellComplex& cell);

@@ -75,7 +75,8 @@ TEST_CASE("random cells: the ground is the internal hull triangles and how they 
       REQUIRE(prism_of.count(triangle) == 1);
       CHECK(ground.at(f.tet, f.facet) == g);
       for (std::uint32_t h = 0; h < ground.size(); ++h) {
-        const bool together = sections.of(prism_of[triangle]) == sections.of(prism_of[triangle_of(cell, ground.facet(h))]);
+        const bool together =
+            sections.of(prism_of[triangle]) == sections.of(prism_of[triangle_of(cell, ground.facet(h))]);
         CHECK((ground.part(g) == ground.part(h)) == together);
       }
       CHECK(ground.part(g) <= g);
@@ -119,8 +120,8 @@ TEST_CASE("random cells: all counts are those of the definition") {
       sum.bodies += t.bodies < t.sections ? 1U : 0U;
     }
   }
-  MESSAGE("handles " << sum.genus << ", voids " << sum.voids << ", bare " << sum.bare << ", parts of the outside but one "
-                     << sum.outsides << ", joined " << sum.bodies);
+  MESSAGE("handles " << sum.genus << ", voids " << sum.voids << ", bare " << sum.bare
+                     << ", parts of the outside but one " << sum.outsides << ", joined " << sum.bodies);
   // Everything that is counted occurred, or the comparison above is empty.
   CHECK(sum.genus > 20);
   CHECK(sum.voids > 50);
@@ -165,7 +166,8 @@ TEST_CASE("bodies without ground have walls without boundary, and wedges at an e
 
 TEST_CASE("over a disk of section the solid is a disk, whether tetrahedra stand on it or not") {
   // A fan of five triangles around vertex 0 on face 0, one short of a full turn; 0-1 leads inwards.
-  const CellComplex cell = ring({{0, 2, 3}, {0, 3, 4}, {0, 4, 5}, {0, 5, 6}, {0, 6, 7}}, {1, 2, 1, 1, 1, 1, 1, 1});
+  const CellComplex cell =
+      ring({{0, 2, 3}, {0, 3, 4}, {0, 4, 5}, {0, 5, 6}, {0, 6, 7}}, {1, 2, 1, 1, 1, 1, 1, 1});
   const CellTopology all = count_topology(cell, Ground(cell), {1, 1, 1, 1, 1, 0});
   CHECK(all.sections == 1);
   CHECK(all.bodies == 1);

@@ -93,7 +93,8 @@ std::vector<FacePlane> faces_of(Hull hull) {
 CellShape shape_of(const Points& points) {
   CellShape shape{{}, faces_of(points.hull)};
   for (const Point& p : points.list) {
-    shape.points.push_back({static_cast<double>(p.at[0]), static_cast<double>(p.at[1]), static_cast<double>(p.at[2])});
+    shape.points.push_back(
+        {static_cast<double>(p.at[0]), static_cast<double>(p.at[1]), static_cast<double>(p.at[2])});
   }
   return shape;
 }

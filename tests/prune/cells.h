@@ -32,7 +32,8 @@ struct PlacedCell {
   CellShape shape;
 };
 
-/// random_cell(seed) with its points and planes; a wedge and a slab are closed by four faces without vertices.
+/// random_cell(seed) with its points and planes; a wedge and a slab are closed by four faces without
+/// vertices.
 PlacedCell placed_cell(std::uint32_t seed);
 
 /// A random cell whose tetrahedra may have any shape of solid: up to 10 of its points are within the cell. No

@@ -162,8 +162,7 @@ TEST_CASE("between two whole sections that are near it is certain, over none at 
   // A prism of height 1 between triangles of size 1000, in three tetrahedra; its sides are far faces.
   const auto prism = [](const std::set<Triangle>& internal) {
     PlacedCell cell;
-    cell.complex =
-        make_cell({{0, 1, 2, 3}, {1, 2, 3, 4}, {2, 3, 4, 5}}, {1, 1, 1, 2, 2, 2}, internal);
+    cell.complex = make_cell({{0, 1, 2, 3}, {1, 2, 3, 4}, {2, 3, 4, 5}}, {1, 1, 1, 2, 2, 2}, internal);
     cell.shape.points = {{0, 0, 0}, {1000, 0, 0}, {0, 1000, 0}, {0, 0, 1}, {1000, 0, 1}, {0, 1000, 1}};
     cell.shape.faces = {{{0, 0, 1}, 0}, {{0, 0, -1}, 1}, {{0, 1, 0}, 1000}};
     return confidences(cell.complex, cell.shape, {1, 1, 1});

@@ -22,7 +22,8 @@ Simplex facet_of(const CellComplex& cell, std::uint32_t t, unsigned i) {
 }
 
 /// Facets of t in groups that hang together at vertices of t through the solid's stars.
-Groups parts_of_contact(const BruteSolid& brute, const CellComplex& cell, const Flags& kept, std::uint32_t t) {
+Groups parts_of_contact(const BruteSolid& brute, const CellComplex& cell, const Flags& kept,
+                        std::uint32_t t) {
   Groups parts(4);
   for (const std::uint32_t v : cell.mesh.vertices[t]) {
     const Groups star = brute.star(kept, {v});
@@ -31,7 +32,8 @@ Groups parts_of_contact(const BruteSolid& brute, const CellComplex& cell, const 
         const Simplex f = facet_of(cell, t, i), g = facet_of(cell, t, j);
         if (std::count(f.begin(), f.end(), v) == 0 || std::count(g.begin(), g.end(), v) == 0) continue;
         const std::size_t a = brute.across(t, f), b = brute.across(t, g);
-        if (brute.is_solid(kept, a) && brute.is_solid(kept, b) && star.of(a) == star.of(b)) parts.put_together(i, j);
+        if (brute.is_solid(kept, a) && brute.is_solid(kept, b) && star.of(a) == star.of(b))
+          parts.put_together(i, j);
       }
   }
   return parts;
@@ -41,8 +43,8 @@ struct Kinds {
   int simple = 0, dome = 0, plug = 0, apart = 0, loop = 0;
 };
 
-void check_contact(const BruteSolid& brute, const CellComplex& cell, const Contact& contact, const Flags& kept,
-                   std::uint32_t t, Kinds& kinds) {
+void check_contact(const BruteSolid& brute, const CellComplex& cell, const Contact& contact,
+                   const Flags& kept, std::uint32_t t, Kinds& kinds) {
   const Groups parts = parts_of_contact(brute, cell, kept, t), bodies = brute.bodies(kept);
   std::set<std::size_t> seen;
   unsigned facets = 0;
@@ -96,13 +98,15 @@ TEST_CASE("random solids: contacts have the facets, parts, loops and bodies of t
       for (std::uint32_t h = 0; h < g; ++h) {
         const Groups bodies = brute.bodies(solid.kept());
         const auto prism = [&](std::uint32_t x) {
-          return brute.across(ground.facet(x).tet, facet_of(cell, ground.facet(x).tet, ground.facet(x).facet));
+          return brute.across(ground.facet(x).tet,
+                              facet_of(cell, ground.facet(x).tet, ground.facet(x).facet));
         };
-        CHECK((solid.body_of_ground(g) == solid.body_of_ground(h)) == (bodies.of(prism(g)) == bodies.of(prism(h))));
+        CHECK((solid.body_of_ground(g) == solid.body_of_ground(h)) ==
+              (bodies.of(prism(g)) == bodies.of(prism(h))));
       }
   }
-  MESSAGE("simple " << kinds.simple << ", dome " << kinds.dome << ", plug " << kinds.plug << ", in parts " << kinds.apart
-                    << ", of these with loops " << kinds.loop);
+  MESSAGE("simple " << kinds.simple << ", dome " << kinds.dome << ", plug " << kinds.plug << ", in parts "
+                    << kinds.apart << ", of these with loops " << kinds.loop);
   CHECK(kinds.simple > 200);
   CHECK(kinds.dome > 50);
   CHECK(kinds.plug > 0);

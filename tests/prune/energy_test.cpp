@@ -16,7 +16,9 @@ namespace {
 using namespace crossloft;
 using namespace crossloft::test;
 
-std::size_t count(const Flags& flags) { return static_cast<std::size_t>(std::count(flags.begin(), flags.end(), 1)); }
+std::size_t count(const Flags& flags) {
+  return static_cast<std::size_t>(std::count(flags.begin(), flags.end(), 1));
+}
 
 /// The header's formula in plain doubles, in units of length of the shape.
 class Energy {
@@ -26,7 +28,8 @@ class Energy {
     for (std::uint32_t t = 0; t < cell.complex.mesh.size(); ++t) {
       const auto& v = cell.complex.mesh.vertices[t];
       volume_.push_back(std::fabs(dot(cross(point(v[1]) - point(v[0]), point(v[2]) - point(v[0])),
-                                      point(v[3]) - point(v[0]))) / 6);
+                                      point(v[3]) - point(v[0]))) /
+                        6);
       sum += volume_.back();
     }
     size_ = std::cbrt(sum);
@@ -40,22 +43,26 @@ class Energy {
         const std::uint32_t n = mesh.neighbours[t][i];
         const bool ends = n == kNone ? cell_.complex.facets[t][i] != FacetKind::internal : kept[n] == 0;
         if (kept[t] == 0 || !ends) continue;
-        const Vec3 a = point(mesh.vertices[t][kFacetSlots[i][0]]), b = point(mesh.vertices[t][kFacetSlots[i][1]]),
+        const Vec3 a = point(mesh.vertices[t][kFacetSlots[i][0]]),
+                   b = point(mesh.vertices[t][kFacetSlots[i][1]]),
                    c = point(mesh.vertices[t][kFacetSlots[i][2]]);
         sum += norm(cross(b - a, c - a)) / 2;
       }
     return sum;
   }
 
-  double of(const Flags& kept, const std::vector<std::int32_t>& confidence, const EnergyWeights& weights) const {
+  double of(const Flags& kept, const std::vector<std::int32_t>& confidence,
+            const EnergyWeights& weights) const {
     double sum = weights.smooth * area(kept);
     for (std::uint32_t t = 0; t < kept.size(); ++t)
       if (kept[t] != 0)
-        sum -= weights.volume * (static_cast<double>(confidence[t]) / kCertain + weights.offset) * volume_[t] / size_;
+        sum -= weights.volume * (static_cast<double>(confidence[t]) / kCertain + weights.offset) *
+               volume_[t] / size_;
     return sum;
   }
 
-  /// What rounding to integers may change: half a unit a number, the unit being 2^-40 of the squared diagonal.
+  /// What rounding to integers may change: half a unit a number, the unit being 2^-40 of the squared
+  /// diagonal.
   double tolerance() const {
     const double diagonal = 1009 * 1009 * 3;  // no cell is larger
     return diagonal * 0x1p-40 * 20 * static_cast<double>(volume_.size());

@@ -44,7 +44,8 @@ TEST_CASE("random cells: at every threshold the bodies are those that the joins 
     Flags kept = r1_of(cell);
     for (std::uint8_t& k : kept) k = k != 0 && random() % 8 != 0;
     std::vector<std::int32_t> confidence;
-    for (std::uint32_t t = 0; t < kept.size(); ++t) confidence.push_back(static_cast<std::int32_t>(random() % 20) - 10);
+    for (std::uint32_t t = 0; t < kept.size(); ++t)
+      confidence.push_back(static_cast<std::int32_t>(random() % 20) - 10);
     const std::vector<Join> joins = find_joins(cell, ground, kept, confidence);
     std::multiset<std::uint32_t> bodies = bodies_at(brute, kept, confidence, 100);
     auto next = joins.begin();
@@ -83,7 +84,8 @@ TEST_CASE("random cells: joins do not depend on the numbers of the tetrahedra no
     const CellComplex other = shuffled(cell, random, from);
     const Flags kept = r1_of(cell);
     std::vector<std::int32_t> confidence, moved_confidence;
-    for (std::uint32_t t = 0; t < kept.size(); ++t) confidence.push_back(static_cast<std::int32_t>(random() % 5));
+    for (std::uint32_t t = 0; t < kept.size(); ++t)
+      confidence.push_back(static_cast<std::int32_t>(random() % 5));
     for (const std::uint32_t t : from) moved_confidence.push_back(confidence[t]);
     CHECK(find_joins(cell, Ground(cell), kept, confidence) ==
           find_joins(other, Ground(other), r1_of(other), moved_confidence));
@@ -101,7 +103,8 @@ TEST_CASE("parts of the ground are named by their smallest vertex, where they be
 }
 
 TEST_CASE("tetrahedra go by their confidence, equals by their sorted vertices") {
-  const CellComplex cell = make_cell({{2, 3, 4, 5}, {1, 2, 3, 4}, {3, 2, 1, 0}}, std::vector<std::uint64_t>(6, 0), {});
+  const CellComplex cell =
+      make_cell({{2, 3, 4, 5}, {1, 2, 3, 4}, {3, 2, 1, 0}}, std::vector<std::uint64_t>(6, 0), {});
   const std::vector<std::int32_t> same{1, 1, 1}, rising{1, 2, 1};
   CHECK(by_confidence(cell, {1, 1, 1}, same) == std::vector<std::uint32_t>{2, 1, 0});
   CHECK(by_confidence(cell, {1, 1, 1}, rising) == std::vector<std::uint32_t>{1, 2, 0});

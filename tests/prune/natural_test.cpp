@@ -26,11 +26,14 @@ NaturalOptions options_for(std::uint32_t seed) {
   return options;
 }
 
-PruneResult prune_cell(const PlacedCell& cell, const NaturalOptions& options, std::span<const JoinWish> wishes = {}) {
+PruneResult prune_cell(const PlacedCell& cell, const NaturalOptions& options,
+                       std::span<const JoinWish> wishes = {}) {
   return prune(cell.complex, cell.shape, {PruneMode::natural, options}, wishes);
 }
 
-std::size_t count(const Flags& flags) { return static_cast<std::size_t>(std::count(flags.begin(), flags.end(), 1)); }
+std::size_t count(const Flags& flags) {
+  return static_cast<std::size_t>(std::count(flags.begin(), flags.end(), 1));
+}
 
 }  // namespace
 
@@ -110,7 +113,8 @@ TEST_CASE("random cells: what joins two sections is undone by a wish") {
     std::vector<std::set<std::uint32_t>> sides(2);
     const std::vector<std::size_t> ground = brute.ground();
     for (const std::size_t p : ground)
-      sides[sections.of(p) == sections.of(ground[0]) ? 0 : 1].insert(brute.pieces()[p].begin(), brute.pieces()[p].end());
+      sides[sections.of(p) == sections.of(ground[0]) ? 0 : 1].insert(brute.pieces()[p].begin(),
+                                                                     brute.pieces()[p].end());
     const JoinWish wish{{sides[0].begin(), sides[0].end()}, {sides[1].begin(), sides[1].end()}, false};
     const PruneResult apart = prune_cell(cell, {-1, -1, 1}, {&wish, 1});
     CHECK(apart.natural.after.bodies == 2);
@@ -123,7 +127,8 @@ TEST_CASE("random cells: what joins two sections is undone by a wish") {
 
 TEST_CASE("verify_natural finds each kind of damage") {
   PlacedCell cell;
-  cell.complex = make_cell({{0, 1, 2, 3}, {1, 2, 3, 4}, {2, 3, 4, 5}}, {1, 1, 1, 2, 2, 2}, {{0, 1, 2}, {3, 4, 5}});
+  cell.complex =
+      make_cell({{0, 1, 2, 3}, {1, 2, 3, 4}, {2, 3, 4, 5}}, {1, 1, 1, 2, 2, 2}, {{0, 1, 2}, {3, 4, 5}});
   cell.shape.points = {{0, 0, 0}, {9, 0, 0}, {0, 9, 0}, {0, 0, 1}, {9, 0, 1}, {0, 9, 1}};
   cell.shape.faces = {{{0, 0, 1}, 0}, {{0, 0, -1}, 1}};
   const PruneResult good = prune_cell(cell, {});

@@ -22,8 +22,8 @@ std::uint64_t faces_through(const CellComplex& cell, std::uint32_t t, unsigned i
   return common;
 }
 
-/// Parts of the outside by common edges, and for each the faces that it opens to; 0 stands for the space beyond
-/// the hull.
+/// Parts of the outside by common edges, and for each the faces that it opens to; 0 stands for the space
+/// beyond the hull.
 std::vector<std::set<std::uint64_t>> openings(const CellComplex& cell, const Flags& kept) {
   const std::uint32_t n = cell.mesh.size();
   Groups parts(n);
@@ -65,7 +65,8 @@ TEST_CASE("random solids: there is a dome iff a part of the outside opens to one
     const CellComplex& cell = placed.complex;
     for (std::uint32_t i = 0; i < 6; ++i) {
       Flags kept;  // what has no external facet, less some
-      for (const auto& f : cell.facets) kept.push_back(std::count(f.begin(), f.end(), FacetKind::external) == 0);
+      for (const auto& f : cell.facets)
+        kept.push_back(std::count(f.begin(), f.end(), FacetKind::external) == 0);
       for (std::uint8_t& k : kept) k = k != 0 && random() % 100 >= 3 * i;
       const bool expected = has_hole(openings(cell, kept));
       CHECK(has_dome(cell, kept) == expected);
@@ -79,7 +80,8 @@ TEST_CASE("random solids: there is a dome iff a part of the outside opens to one
 }
 
 TEST_CASE("what one tetrahedron opens to") {
-  const CellComplex cell = make_cell({{0, 1, 2, 3}, {1, 2, 3, 4}, {2, 3, 4, 5}}, {1, 1, 1, 2, 2, 2}, {{3, 4, 5}});
+  const CellComplex cell =
+      make_cell({{0, 1, 2, 3}, {1, 2, 3, 4}, {2, 3, 4, 5}}, {1, 1, 1, 2, 2, 2}, {{3, 4, 5}});
   OpeningOf none(cell);
   CHECK(none.kind() == Opening::none);
   OpeningOf lower(cell);  // the triangle 0 1 2 is external; the sides are free

@@ -99,11 +99,13 @@ TEST_CASE(
   // As above, but the upper triangle 3 4 5 is outside and 3-4 borders on an internal triangle 3 4 6 below it.
   const std::vector<Tet> tets{{0, 1, 2, 3}, {1, 2, 3, 4}, {2, 3, 4, 5}, {1, 3, 4, 6}};
   const std::vector<std::uint64_t> masks{1, 1, 1, 2, 2, 2, 2};
-  const PruneResult whole = prune(make_cell(tets, masks, {{0, 1, 2}, {3, 4, 5}, {3, 4, 6}}), PruneMode::joint);
+  const PruneResult whole =
+      prune(make_cell(tets, masks, {{0, 1, 2}, {3, 4, 5}, {3, 4, 6}}), PruneMode::joint);
   CHECK(whole.r3 == 4);
   const PruneResult half = prune(make_cell(tets, masks, {{0, 1, 2}, {3, 4, 6}}), PruneMode::joint);
   CHECK(half.kept == std::vector<std::uint8_t>{1, 1, 0, 1});  // the other side of 3-4 still has ground
-  const PruneResult none = prune(make_cell({tets[0], tets[1], tets[2]}, masks, {{0, 1, 2}}), PruneMode::joint);
+  const PruneResult none =
+      prune(make_cell({tets[0], tets[1], tets[2]}, masks, {{0, 1, 2}}), PruneMode::joint);
   CHECK(none.r3 == 0);
 }
 

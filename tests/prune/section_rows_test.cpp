@@ -63,8 +63,9 @@ void check_faces(const PlacedCell& cell, std::mt19937& random, Answers& answers)
     const FacePlane& plane = cell.shape.faces[f];
     for (int i = 0; i < 20; ++i) {
       // The foot of a random mean of three points.
-      Vec3 p = 1.0 / 3 * (points[random() % points.size()] + points[random() % points.size()] +
-                          points[random() % points.size()]);
+      Vec3 p = 1.0 / 3 *
+               (points[random() % points.size()] + points[random() % points.size()] +
+                points[random() % points.size()]);
       p = p + 0.01 * Vec3{static_cast<double>(random() % 100), static_cast<double>(random() % 100), 0};
       p = p - plane.height(p) * plane.normal;
       bool inside = false, near = false;

@@ -36,8 +36,8 @@ Flags without_external_facet(const CellComplex& cell) {
   return flags;
 }
 
-/// No vertex has two corners of sections that hang together elsewhere at most. (Where sections touch in a point,
-/// the surface that is cut apart there counts one part of the outside more than growth does.)
+/// No vertex has two corners of sections that hang together elsewhere at most. (Where sections touch in a
+/// point, the surface that is cut apart there counts one part of the outside more than growth does.)
 bool has_no_touching_sections(const BruteSolid& brute) {
   const Flags none(brute.tets(), 0);
   std::map<std::uint32_t, std::set<std::size_t>> corners;
@@ -108,7 +108,8 @@ TEST_CASE("random cells: no handle and no void, whatever is allowed and however 
     const Flags most = without_external_facet(cell);
     const Flags allowed = seed % 8 < 2 ? most : random_subset(most, random);
     const auto confidence = random_confidence(cell.mesh.size(), random);
-    const GrowthLimits limits{static_cast<std::int32_t>(random() % 12) - 6, static_cast<std::int32_t>(random() % 9) - 6, {}};
+    const GrowthLimits limits{
+        static_cast<std::int32_t>(random() % 12) - 6, static_cast<std::int32_t>(random() % 9) - 6, {}};
     const GrowthResult result = grow_simply(cell, ground, allowed, confidence, limits);
     const BruteSolid::Counts counts = brute.count(result.kept);
     CHECK(counts.genus == 0);
@@ -127,7 +128,8 @@ TEST_CASE("random cells: no handle and no void, whatever is allowed and however 
     joins += done(result).size();
     refused += result.joins.size() - done(result).size();
   }
-  MESSAGE("kept " << kept_count << ", left " << left << ", domes " << domes << ", joins " << joins << ", refused " << refused);
+  MESSAGE("kept " << kept_count << ", left " << left << ", domes " << domes << ", joins " << joins
+                  << ", refused " << refused);
   CHECK(kept_count > 1000);
   CHECK(left > 100);
   CHECK(domes > 5);
@@ -136,7 +138,8 @@ TEST_CASE("random cells: no handle and no void, whatever is allowed and however 
 }
 
 TEST_CASE("a dome must not close in what hangs on the outside at an edge only") {
-  // What is not allowed here are single tetrahedra within; growth once closed some in at their last open edge.
+  // What is not allowed here are single tetrahedra within; growth once closed some in at their last open
+  // edge.
   std::size_t domes = 0;
   for (std::uint32_t seed = 2000; seed < 2400; ++seed) {
     CAPTURE(seed);
@@ -211,7 +214,8 @@ TEST_CASE("random cells: joins need their confidence and name the bodies by thei
   CHECK(refused > 50);
 }
 
-TEST_CASE("random cells: with a limit above all confidences nothing is joined, below all everything that can be") {
+TEST_CASE(
+    "random cells: with a limit above all confidences nothing is joined, below all everything that can be") {
   std::size_t more = 0;
   for (std::uint32_t seed = 700; seed < 800; ++seed) {
     CAPTURE(seed);
@@ -248,7 +252,8 @@ TEST_CASE("random cells: a wish that sets stay apart is kept, one that they join
         for (const std::uint32_t v : brute.pieces()[p])
           for (const std::size_t side : {0, 1}) {
             const auto& list = side == 0 ? wish.a : wish.b;
-            if (std::count(list.begin(), list.end(), v) != 0) parts[side][bodies.of(p)].insert(sections.of(p));
+            if (std::count(list.begin(), list.end(), v) != 0)
+              parts[side][bodies.of(p)].insert(sections.of(p));
           }
       std::size_t bad = 0;  // bodies that have both sides from different parts
       for (const auto& [body, list] : parts[0]) {
@@ -312,7 +317,8 @@ TEST_CASE("two triangles in a prism: the middle tetrahedron joins them if it is 
   CHECK(grow(-5, {}).joins == std::vector<Join>{join});
   CHECK(grow(-4, {}).kept == Flags{1, 0, 1});
   CHECK(grow(-4, {}).joins == std::vector<Join>{refused});
-  const std::vector<JoinWish> wanted{{{0}, {5}, true}}, forbidden{{{4}, {1, 2}, false}}, elsewhere{{{0}, {1}, true}};
+  const std::vector<JoinWish> wanted{{{0}, {5}, true}}, forbidden{{{4}, {1, 2}, false}},
+      elsewhere{{{0}, {1}, true}};
   CHECK(grow(100, wanted).joins == std::vector<Join>{join});
   CHECK(grow(-100, forbidden).joins == std::vector<Join>{refused});
   CHECK(grow(100, elsewhere).joins == std::vector<Join>{refused});  // both sides in one body already
