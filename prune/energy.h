@@ -20,9 +20,9 @@ struct EnergyWeights {
 ///     smooth area(surface within the cell) - volume sum over tetrahedra of (confidence + offset) volume /
 ///     size,
 /// size = the cube root of the volume of the cell's vertices' hull, among those that contain all tetrahedra
-/// of R1 that stand on the sections or have an edge within them; the smallest if there are several, so it is unique. A minimum cut between
-/// neighbours (min_cut.h) with capacities rounded to integers.
-/// REQUIRES: confidences as in confidence.h; r1[t] = 0 for tetrahedra that can't be kept.
+/// of R1 that stand on the sections or have an edge within them; the smallest if there are several, so it is
+/// unique. A minimum cut between neighbours (min_cut.h) with capacities rounded to integers. REQUIRES:
+/// confidences as in confidence.h; r1[t] = 0 for tetrahedra that can't be kept.
 std::vector<std::uint8_t> cheapest_solid(const CellComplex& complex, const CellShape& shape,
                                          const std::vector<std::uint8_t>& r1,
                                          std::span<const std::int32_t> confidence,

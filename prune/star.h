@@ -46,8 +46,8 @@ inline unsigned same_corner(const TetMesh& mesh, std::uint32_t t, unsigned corne
   return kEdgeCorner[slot_of(to, from[ends[0]])][slot_of(to, from[ends[1]])];
 }
 
-/// Calls visit(n) for the other tetrahedra n around an edge of `start`, once each: around once, or on both sides as far
-/// as the hull. O(degree of the edge).
+/// Calls visit(n) for the other tetrahedra n around an edge of `start`, once each: around once, or on both
+/// sides as far as the hull. O(degree of the edge).
 template <class Visit>
 void visit_around_edge(const TetMesh& mesh, std::uint32_t start, unsigned corner, Visit&& visit) {
   const unsigned both = kCornerFacets[corner];

@@ -81,7 +81,8 @@ class Pipeline {
                           const BuiltCell& cell) const;
   Result<Done> check_pruned(const BuiltCell& cell, const PruneResult& pruned) const;
   void report_topology(const BuiltCell& cell, const NaturalReport& natural, CellReport& report) const;
-  void cover(std::span<const CellFace> faces, std::span<const FaceId> ids, std::span<const GroundTriangle> ground);
+  void cover(std::span<const CellFace> faces, std::span<const FaceId> ids,
+             std::span<const GroundTriangle> ground);
   void cover_finally();
   bool may_take_samples(std::span<const FaceId> ids, std::span<const CellFace> faces) const;
   Result<Done> add_samples();
@@ -115,7 +116,7 @@ class Pipeline {
   std::vector<SectionLocator> locators_;          ///< by plane
   std::unique_ptr<LineEdges> line_edges_;
   Numbering numbering_;
-  std::vector<CellState> cells_;  ///< by cell of the arrangement
+  std::vector<CellState> cells_;   ///< by cell of the arrangement
   bool samples_may_come_ = false;  ///< cells are pruned to see where branching samples are wanted
   std::vector<std::array<std::uint32_t, 4>> tets_;
   Reconstruction result_;
