@@ -29,6 +29,10 @@ bool holds(const std::array<Vec3, 4>& t, const Vec3& p) {
          orient3d(t[0], t[1], t[2], p) * turn >= 0;
 }
 
+bool holds_one(const std::array<Vec3, 4>& t, const Corners& corners) {
+  return holds(t, corners[0]) || holds(t, corners[1]) || holds(t, corners[2]);
+}
+
 /// Lists by key 0..size-1 from pairs (key, item) sorted.
 struct Lists {
   std::vector<std::size_t> begin;
@@ -192,59 +196,49 @@ class Separator {
     for (int i = 0; i <= kHalvings; ++i, step *= 0.5) {
       Vec3 to = from + step * d;
       if (!is_finite(to) || !confinement_.admit(umbrella(k), to)) continue;
-      if (to == from || !overlap(allowed, {to, to}) || !try_place(k, to)) continue;
+      if (to == from || !overlap(allowed, {to, to}) || !is_free(k, to)) continue;
+      points_[copies_[k]] = to;
       ++result_.separated;
       result_.largest = std::max(result_.largest, norm(to - from));
       return;
     }
   }
 
-  /// Puts the copy there if the way is free.
-  bool try_place(std::size_t k, const Vec3& to) {
-    if (!sweeps_nothing(k, to)) return false;
-    const Vec3 from = std::exchange(points_[copies_[k]], to);
-    const bool free = meets_nothing(k);
-    if (!free) points_[copies_[k]] = from;
-    return free;
-  }
-
-  bool is_own(std::size_t k, std::uint32_t t) const {
-    const auto own = umbrellas_.of(k);
-    return std::binary_search(own.begin(), own.end(), t);
-  }
-
-  bool sweeps_nothing(std::size_t k, const Vec3& to) const {
-    for (const std::uint32_t t : neighbours_.of(k)) {
-      if (is_own(k, t)) continue;
-      const Corners other = corners(t);
-      if (contains(other, to)) return false;
-      for (const Vec3& p : other)
-        if (is_swept(k, to, p)) return false;
-    }
-    return true;
-  }
-
-  bool is_swept(std::size_t k, const Vec3& to, const Vec3& p) const {
-    const std::uint32_t v = copies_[k];
-    const auto own = umbrellas_.of(k);
-    return std::any_of(own.begin(), own.end(), [&](std::uint32_t t) {
-      const auto [a, b] = spokes(t, v);
-      return holds({points_[v], to, points_[a], points_[b]}, p);
-    });
-  }
-
-  bool meets_nothing(std::size_t k) const {
+  /// What the umbrella sweeps on the way to `to`, a tetrahedron for each triangle: (old place, new place, a, b).
+  std::vector<std::array<Vec3, 4>> sweep(std::size_t k, const Vec3& to) const {
+    std::vector<std::array<Vec3, 4>> swept;
     for (const std::uint32_t t : umbrellas_.of(k)) {
-      const Corners own = corners(t);
-      if (collinear(own)) return false;
-      const Bounds box = bounds_of(own);
-      for (const std::uint32_t other : neighbours_.of(k)) {
-        if (other == t) continue;
-        const Corners c = corners(other);
-        if (overlap(box, bounds_of(c)) && meeting(own, c) != Meeting::none) return false;
-      }
+      const auto [a, b] = spokes(t, copies_[k]);
+      swept.push_back({points_[copies_[k]], to, points_[a], points_[b]});
     }
-    return true;
+    return swept;
+  }
+
+  /// A tree of what is swept, for vertices with a thousand triangles around them.
+  bool is_free(std::size_t k, const Vec3& to) const {
+    const auto own = umbrellas_.of(k);
+    const auto swept = sweep(k, to);
+    std::vector<Bounds> boxes;
+    for (const auto& tet : swept) {
+      if (collinear({tet[1], tet[2], tet[3]})) return false;
+      boxes.push_back(bounds_of(tet));
+    }
+    const BoxTree tree(boxes);
+    bool free = true;
+    for (std::size_t n = 0; free && n < neighbours_.of(k).size(); ++n) {
+      const std::uint32_t t = neighbours_.of(k)[n];
+      const auto at = std::lower_bound(own.begin(), own.end(), t);
+      const bool is_own = at != own.end() && *at == t;
+      const auto& moved = swept[is_own ? static_cast<std::size_t>(at - own.begin()) : 0];
+      const Corners other = is_own ? Corners{moved[1], moved[2], moved[3]} : corners(t);
+      if (!is_own && contains(other, to)) return false;
+      tree.for_overlaps(bounds_of(other), [&](std::uint32_t i) {
+        if (!free || own[i] == t) return;
+        free = meeting({to, swept[i][2], swept[i][3]}, other) == Meeting::none &&
+               (is_own || !holds_one(swept[i], other));
+      });
+    }
+    return free;
   }
 
   /// In each run of copies, those at a place that a copy before them has.
