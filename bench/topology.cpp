@@ -112,13 +112,6 @@ bool reconstruct_one(const Surface& mesh, const Shape& truth, const Sections& se
   return true;
 }
 
-const char* name_of(PruneMode mode) {
-  return mode == PruneMode::joint     ? "joint"
-         : mode == PruneMode::paper   ? "paper"
-         : mode == PruneMode::natural ? "natural"
-                                      : "paper-literal";
-}
-
 void print_summary(const std::string& name, PruneMode mode, const Shape& truth, const std::vector<Run>& runs,
                    const std::vector<Run>& first) {
   double iou = 0, error = 0, pruning = 0, delaunay = 0, worst = 0;
@@ -190,6 +183,7 @@ bool read_arguments(int count, char** words, Arguments& arguments) {
       return false;
     }
   }
+  if (arguments.seeds == 0 || arguments.rays == 0) return false;
   if (arguments.modes.empty()) arguments.modes = {PruneMode::joint, PruneMode::natural};
   return true;
 }

@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -28,11 +30,17 @@ struct Arguments {
   bool quiet = false;
 };
 
+constexpr std::array kModes{PruneMode::natural, PruneMode::joint, PruneMode::paper, PruneMode::paper_literal};
+
+std::vector<std::string> mode_names() {
+  std::vector<std::string> names;
+  for (const PruneMode mode : kModes) names.push_back(name_of(mode));
+  return names;
+}
+
+/// REQUIRES: one of mode_names().
 PruneMode mode_named(const std::string& name) {
-  return name == "paper"           ? PruneMode::paper
-         : name == "paper-literal" ? PruneMode::paper_literal
-         : name == "joint"         ? PruneMode::joint
-                                   : PruneMode::natural;
+  return *std::find_if(kModes.begin(), kModes.end(), [&](PruneMode mode) { return name == name_of(mode); });
 }
 
 Branching branching_named(const std::string& name) {
@@ -100,7 +108,7 @@ void add_natural_options(CLI::App& command, NaturalOptions& natural) {
       .add_option("--smooth-weight", natural.smooth_weight,
                   "natural: weight of a small surface against a likely volume")
       ->capture_default_str()
-      ->check(CLI::Range(0.0, 100.0));
+      ->check(CLI::Range(0.0, kLargestSmoothWeight));
 }
 
 void add_view(CLI::App& command, PictureOptions& view) {
@@ -153,10 +161,9 @@ void add_reconstruct(CLI::App& program, ExitCode& outcome) {
   command
       ->add_option("--mode", a.mode,
                    "pruning: natural looks for the likely shape without needless handles, joint keeps most, "
-                   "paper is as "
-                   "Boissonnat and Memari")
+                   "paper is as Boissonnat and Memari")
       ->capture_default_str()
-      ->check(CLI::IsMember({"natural", "joint", "paper", "paper-literal"}));
+      ->check(CLI::IsMember(mode_names()));
   add_natural_options(*command, a.options.natural);
   command
       ->add_option("--branching", a.branching,
@@ -179,8 +186,7 @@ void add_reconstruct(CLI::App& program, ExitCode& outcome) {
   command
       ->add_option("--simplify", a.options.simplify,
                    "leave out contour vertices that a straight edge replaces this closely; a fraction of the "
-                   "diagonal, "
-                   "0: none; the solid then meets the sections of --dump-sections")
+                   "diagonal, 0: none; the solid then meets the sections of --dump-sections")
       ->capture_default_str()
       ->check(CLI::Range(0.0, 1.0));
   command->add_flag("!--keep-touching", a.options.separate,

@@ -2,6 +2,7 @@
 /// R0 of one cell with its grounded simplices classified: the only input of pruning (paper, section 3).
 
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -12,7 +13,8 @@ namespace crossloft {
 
 /// A facet of a tetrahedron against the sections; grounded = its vertices share a face of the cell.
 enum class FacetKind : std::uint8_t { free, internal, external };
-/// An edge of a tetrahedron against the sections; contour and internal edges are both inside the closed section.
+/// An edge of a tetrahedron against the sections; contour and internal edges are both inside the closed
+/// section.
 enum class EdgeKind : std::uint8_t { free, contour, internal, external };
 
 struct CellComplex {
@@ -26,6 +28,15 @@ struct CellComplex {
 
   std::span<const std::uint64_t> faces_of(std::uint32_t v) const {
     return {face_masks.data() + std::size_t{v} * words, words};
+  }
+
+  /// The lowest face that three vertices share, kNone if there is none. Of a triangle it is the only one.
+  std::uint32_t common_face(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
+    for (std::uint32_t w = 0; w < words; ++w) {
+      const std::uint64_t common = faces_of(a)[w] & faces_of(b)[w] & faces_of(c)[w];
+      if (common != 0) return 64 * w + static_cast<std::uint32_t>(std::countr_zero(common));
+    }
+    return kNone;
   }
 };
 

@@ -72,8 +72,7 @@ class CellSurface {
 
   Facet across(Facet f, unsigned corner) const {
     if (kept_[f.tet] == 0) return turn_through_solid(complex_, ground_, kept_, f, corner);
-    const auto other = static_cast<std::uint8_t>(__builtin_ctz(kCornerFacets[corner] & ~(1U << f.facet)));
-    return turn_through_solid(complex_, ground_, kept_, {f.tet, other}, corner);
+    return turn_through_solid(complex_, ground_, kept_, {f.tet, other_facet(f.facet, corner)}, corner);
   }
 
   void join(std::uint32_t s, unsigned k, Facet mate) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "section_rows.h"
+#include "star.h"
 
 namespace crossloft {
 namespace {
@@ -28,8 +29,7 @@ class ConfidenceMeter {
 
   std::int32_t measure(std::uint32_t t) {
     // Sorted, so that rounding does not depend on the order of the vertices.
-    std::array<std::uint32_t, 4> v = complex_.mesh.vertices[t];
-    std::sort(v.begin(), v.end());
+    const auto v = sorted_vertices(complex_.mesh, t);
     const auto& p = shape_.points;
     const Vec3 centroid = 0.25 * ((p[v[0]] + p[v[1]]) + (p[v[2]] + p[v[3]]));
     double sum = 0.4 * at(centroid, t);

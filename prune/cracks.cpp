@@ -1,23 +1,16 @@
 #include "cracks.h"
 
 #include <algorithm>
-#include <array>
 #include <span>
 
 #include "cell_topology.h"
 #include "disjoint_sets.h"
+#include "star.h"
 
 namespace crossloft {
 namespace {
 
-using Key = std::array<std::uint32_t, 4>;
 using Crack = std::vector<std::uint32_t>;
-
-Key key_of(const CellComplex& complex, std::uint32_t t) {
-  Key key = complex.mesh.vertices[t];
-  std::sort(key.begin(), key.end());
-  return key;
-}
 
 /// Parts of what is allowed but not kept; tetrahedra that share a vertex (`wide`) or a facet are in one part.
 std::vector<Crack> find_cracks(const CellComplex& complex, const std::vector<std::uint8_t>& allowed,
@@ -26,8 +19,9 @@ std::vector<Crack> find_cracks(const CellComplex& complex, const std::vector<std
   std::vector<std::uint32_t> open;
   for (std::uint32_t t = 0; t < n; ++t)
     if (allowed[t] != 0 && kept[t] == 0) open.push_back(t);
-  std::sort(open.begin(), open.end(),
-            [&](std::uint32_t a, std::uint32_t b) { return key_of(complex, a) < key_of(complex, b); });
+  std::sort(open.begin(), open.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return sorted_vertices(complex.mesh, a) < sorted_vertices(complex.mesh, b);
+  });
   DisjointSets parts(open.size());
   std::vector<std::uint32_t> place(n, kNone), at_vertex(complex.vertex_count, kNone);
   for (std::uint32_t i = 0; i < open.size(); ++i) {

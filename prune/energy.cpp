@@ -11,8 +11,18 @@
 namespace crossloft {
 namespace {
 
-/// Integers a squared diagonal of the cell: areas and volumes over size come to some 2^44 at most.
-constexpr double kUnitsPerArea = 0x1p40;
+/// Integers a squared diagonal of the cell's box: 2^40, or less where many tetrahedra or large weights would
+/// come near kUncuttable. With the diagonal as the unit of length a triangle has sides up to 1, so four of
+/// them have an area below 2. A tetrahedron is part of the hull, whose volume is size^3, and the box holds no
+/// more than 3^(-3/2): its volume over size is at most size^2 <= 1/3, below 1/2 with the rounding of size. So
+///     c = units (2 smooth + volume (1 + |offset|) / 2)
+/// bounds every price, and 3 n c < kUncuttable is what min_cut.h asks for.
+double units_per_area(std::uint32_t n, const EnergyWeights& weights) {
+  const double largest = 2 * weights.smooth + weights.volume * (1 + std::fabs(weights.offset)) / 2;
+  double units = 0x1p40;
+  while (3.0 * n * units * largest >= static_cast<double>(kUncuttable)) units /= 2;
+  return units;
+}
 
 std::int64_t rounded(double x) { return static_cast<std::int64_t>(std::floor(x + 0.5)); }
 
@@ -32,6 +42,7 @@ class CellMeasures {
  public:
   CellMeasures(const CellComplex& complex, const CellShape& shape)
       : complex_(complex), points_(shape.points) {
+    if (points_.empty()) return;
     Vec3 low = points_[0], high = points_[0];
     for (const Vec3& p : points_) {
       low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
@@ -51,8 +62,7 @@ class CellMeasures {
   }
 
   double volume(std::uint32_t t) const {
-    std::array<std::uint32_t, 4> v = complex_.mesh.vertices[t];
-    std::sort(v.begin(), v.end());
+    const auto v = sorted_vertices(complex_.mesh, t);
     const Vec3 p = points_[v[0]];
     const Vec3 a = per_length_ * (points_[v[1]] - p), b = per_length_ * (points_[v[2]] - p),
                c = per_length_ * (points_[v[3]] - p);
@@ -81,17 +91,19 @@ double size_of(const std::vector<double>& volumes) {
 /// Tetrahedra that stand on the sections, and those around the edges within them: without these a section
 /// falls apart where the solid is on one side of it here and on the other side there.
 bool is_tied(const CellComplex& complex, std::uint32_t t) {
-  const auto& facets = complex.facets[t];
-  const auto& edges = complex.edges[t];
-  return std::find(facets.begin(), facets.end(), FacetKind::internal) != facets.end() ||
-         std::find(edges.begin(), edges.end(), EdgeKind::internal) != edges.end();
+  return stands_on_section(complex, t) || has_inner_edge(complex, t);
 }
 
 class CutBuilder {
  public:
   CutBuilder(const CellComplex& complex, const CellShape& shape, const std::vector<std::uint8_t>& r1,
              std::span<const std::int32_t> confidence, const EnergyWeights& weights)
-      : complex_(complex), measures_(complex, shape), r1_(r1), confidence_(confidence), weights_(weights) {
+      : complex_(complex),
+        measures_(complex, shape),
+        r1_(r1),
+        confidence_(confidence),
+        weights_(weights),
+        units_(units_per_area(complex.mesh.size(), weights)) {
     const std::uint32_t n = complex.mesh.size();
     problem_.neighbours = complex.mesh.neighbours;
     problem_.capacity.assign(n, {0, 0, 0, 0});
@@ -101,7 +113,7 @@ class CutBuilder {
   CutProblem run() {
     const std::vector<double> volume = volumes(complex_, measures_);
     const double size = size_of(volume);
-    const double per_volume = size > 0 ? weights_.volume * kUnitsPerArea / size : 0;
+    const double per_volume = size > 0 ? weights_.volume * units_ / size : 0;
     for (std::uint32_t t = 0; t < r1_.size(); ++t) {
       if (r1_[t] == 0) continue;
       const double sureness = static_cast<double>(confidence_[t]) / kCertain + weights_.offset;
@@ -129,7 +141,7 @@ class CutBuilder {
   }
 
   std::int64_t price(std::uint32_t t, unsigned i) const {
-    return rounded(kUnitsPerArea * weights_.smooth * measures_.area(t, i));
+    return rounded(units_ * weights_.smooth * measures_.area(t, i));
   }
 
   const CellComplex& complex_;
@@ -137,6 +149,7 @@ class CutBuilder {
   const std::vector<std::uint8_t>& r1_;
   std::span<const std::int32_t> confidence_;
   const EnergyWeights& weights_;
+  const double units_;
   CutProblem problem_;
 };
 

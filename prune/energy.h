@@ -10,6 +10,7 @@
 
 namespace crossloft {
 
+/// Finite; smooth and volume not negative.
 struct EnergyWeights {
   double smooth = 1;    ///< of the surface's area
   double volume = 8;    ///< of the volume times its confidence, over the cell's size

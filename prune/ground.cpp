@@ -5,12 +5,6 @@
 namespace crossloft {
 namespace {
 
-/// The other facet of a tetrahedron at an edge.
-unsigned other_facet(unsigned facet, unsigned corner) {
-  const unsigned both = kCornerFacets[corner];
-  return static_cast<unsigned>(__builtin_ctz(both & ~(1U << facet)));
-}
-
 /// [facet][corner]: the side of the facet that the edge is.
 constexpr std::array<std::array<std::uint8_t, kCorners>, 4> side_table() {
   std::array<std::array<std::uint8_t, kCorners>, 4> table{};

@@ -9,8 +9,6 @@
 namespace crossloft {
 namespace {
 
-using Key = std::array<std::uint32_t, 4>;
-
 class Growth {
  public:
   Growth(const CellComplex& complex, const std::vector<std::uint8_t>& candidates, TwoFacetRule rule,
@@ -52,12 +50,6 @@ class Growth {
     return bits;
   }
 
-  Key key(std::uint32_t t) const {
-    Key sorted = mesh_.vertices[t];
-    std::sort(sorted.begin(), sorted.end());
-    return sorted;
-  }
-
   void list_if_open(std::uint32_t t) {
     if (!is_open(t)) return;
     listed_[t] = 1;
@@ -75,7 +67,9 @@ class Growth {
   /// Puts the end of the list into canonical order.
   void sort_from(std::size_t first) {
     std::sort(list_.begin() + static_cast<std::ptrdiff_t>(first), list_.end(),
-              [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
+              [&](std::uint32_t a, std::uint32_t b) {
+                return sorted_vertices(mesh_, a) < sorted_vertices(mesh_, b);
+              });
   }
 
   /// REQUIRES: two facets in the solid or more; facets are never lost again.

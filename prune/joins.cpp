@@ -67,8 +67,7 @@ std::vector<std::uint32_t> by_confidence(const CellComplex& complex, const std::
   std::vector<Entry> entries;
   for (std::uint32_t t = 0; t < chosen.size(); ++t) {
     if (chosen[t] == 0) continue;
-    entries.push_back({confidence[t], t, complex.mesh.vertices[t]});
-    std::sort(entries.back().key.begin(), entries.back().key.end());
+    entries.push_back({confidence[t], t, sorted_vertices(complex.mesh, t)});
   }
   std::sort(entries.begin(), entries.end(), [](const Entry& x, const Entry& y) {
     return x.confidence != y.confidence ? x.confidence > y.confidence : x.key < y.key;

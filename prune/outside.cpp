@@ -39,13 +39,12 @@ void OpeningOf::add(std::uint32_t t) {
       kind_ = Opening::wide;
       continue;
     }
-    std::vector<std::uint64_t> face(complex_.words, ~std::uint64_t{0});
-    for (const std::uint8_t slot : kFacetSlots[i])
-      for (std::uint32_t w = 0; w < complex_.words; ++w)
-        face[w] &= complex_.faces_of(complex_.mesh.vertices[t][slot])[w];
+    const auto& v = complex_.mesh.vertices[t];
+    const auto& slots = kFacetSlots[i];
+    const std::uint32_t face = complex_.common_face(v[slots[0]], v[slots[1]], v[slots[2]]);
     if (kind_ == Opening::none) {
       kind_ = Opening::hole;
-      face_ = std::move(face);
+      face_ = face;
     } else if (face != face_) {
       kind_ = Opening::wide;
     }

@@ -25,7 +25,7 @@ class OpeningOf {
  private:
   const CellComplex& complex_;
   Opening kind_ = Opening::none;
-  std::vector<std::uint64_t> face_;  ///< mask of the one face so far
+  std::uint32_t face_ = kNone;  ///< the one face so far
 };
 
 /// True iff some part of the outside is a hole under a dome. Parts hang together at facets and edges, as

@@ -47,6 +47,20 @@ std::vector<std::uint8_t> take_candidates(const CellComplex& complex, std::vecto
 
 }  // namespace
 
+const char* name_of(PruneMode mode) {
+  switch (mode) {
+    case PruneMode::natural:
+      return "natural";
+    case PruneMode::joint:
+      return "joint";
+    case PruneMode::paper:
+      return "paper";
+    case PruneMode::paper_literal:
+      return "paper-literal";
+  }
+  return "";
+}
+
 PruneResult prune(const CellComplex& complex, const CellShape& shape, const PruneOptions& options,
                   std::span<const JoinWish> wishes) {
   if (options.mode != PruneMode::natural) {

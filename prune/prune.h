@@ -22,6 +22,9 @@ enum class PruneMode : std::uint8_t {
   paper_literal,  ///< Step 3 as printed, which may close on itself along an edge; for study
 };
 
+/// As the user writes it: natural, joint, paper, paper-literal.
+const char* name_of(PruneMode mode);
+
 struct PruneResult {
   std::vector<std::uint8_t> kept;  ///< per tetrahedron of R0: 1 in the solid, 0 not
   std::uint32_t r0 = 0;            ///< tetrahedra of R0
@@ -39,8 +42,8 @@ struct PruneOptions {
 
 /// Prunes. The solid depends on the tetrahedra alone: not on their numbers nor on the order of their
 /// vertices, provided vertex numbers are canonical (Step 3 takes candidates in the order of their sorted
-/// vertices). REQUIRES: verify(complex) (verify.h). Time: linear but for the re-attachment of cut-off parts
-/// of vertex stars (solidity.h), which is short in practice. Memory: some 40 bytes a tetrahedron.
+/// vertices). REQUIRES: verify(complex) (verify.h); in `natural` the shape has a point for each vertex and a
+/// plane for each face. Time and memory: README.md.
 PruneResult prune(const CellComplex& complex, const CellShape& shape, const PruneOptions& options,
                   std::span<const JoinWish> wishes = {});
 /// The modes that measure nothing. REQUIRES: mode is not `natural`.

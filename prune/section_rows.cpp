@@ -24,14 +24,6 @@ struct Side {
   friend auto operator<=>(const Side&, const Side&) = default;
 };
 
-std::uint32_t face_of(const CellComplex& complex, std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-  for (std::uint32_t w = 0; w < complex.words; ++w) {
-    const std::uint64_t common = complex.faces_of(a)[w] & complex.faces_of(b)[w] & complex.faces_of(c)[w];
-    if (common != 0) return 64 * w + static_cast<std::uint32_t>(__builtin_ctzll(common));
-  }
-  return kNone;
-}
-
 std::vector<Side> contour_sides(const CellComplex& complex) {
   std::vector<Side> sides;
   for (std::uint32_t t = 0; t < complex.mesh.size(); ++t)
@@ -40,7 +32,7 @@ std::vector<Side> contour_sides(const CellComplex& complex) {
       std::array<std::uint32_t, 3> v;
       for (unsigned k = 0; k < 3; ++k) v[k] = complex.mesh.vertices[t][kFacetSlots[i][k]];
       std::sort(v.begin(), v.end());
-      const std::uint32_t face = face_of(complex, v[0], v[1], v[2]);
+      const std::uint32_t face = complex.common_face(v[0], v[1], v[2]);
       sides.insert(sides.end(), {{face, v[0], v[1]}, {face, v[0], v[2]}, {face, v[1], v[2]}});
     }
   std::sort(sides.begin(), sides.end());

@@ -53,18 +53,10 @@ class SimpleGrowth {
     for (std::uint32_t r = 0; r < order_.size(); ++r) rank_[order_[r]] = r;
   }
 
-  bool is_on_ground(std::uint32_t t) const {
-    for (unsigned i = 0; i < 4; ++i)
-      if (ground_.is_ground(t, i)) return true;
-    return false;
-  }
-
   /// Those on the ground come first, then those at its inner edges: cells on both sides must close the fans
   /// there, or the solid falls apart along the edge.
   int layer(std::uint32_t t) const {
-    if (is_on_ground(t)) return 0;
-    const auto& edges = complex_.edges[t];
-    return std::find(edges.begin(), edges.end(), EdgeKind::internal) != edges.end() ? 1 : 2;
+    return stands_on_section(complex_, t) ? 0 : has_inner_edge(complex_, t) ? 1 : 2;
   }
 
   /// Ground triangles at the vertices of the wishes: where these are, whatever the solid becomes.
@@ -187,7 +179,7 @@ class SimpleGrowth {
   /// A dome must not leave a hole within the cell, and over a hole in one section it must be confident
   /// enough. Walls between wider parts of the outside always are: the sections around them say so.
   bool may_close(std::uint32_t t, const Contact& contact) {
-    const bool sure = confidence_[t] >= limits_.dome || is_on_ground(t);
+    const bool sure = confidence_[t] >= limits_.dome || stands_on_section(complex_, t);
     for (const std::uint32_t start : solid_.outside_around(t, contact)) {
       const Opening opening = opening_from(start, t);
       if (opening == Opening::none || (opening == Opening::hole && !sure)) return false;

@@ -10,6 +10,9 @@
 ///   - simple (k = 1, b = 0): C is a disk. K keeps its homotopy type.
 ///   - join (k > 1, b = 0, all parts in different bodies of K): bodies become one, no handle.
 ///   - dome (k = 1, b > 0): closes off a part of the outside, since K without handles has no tunnel to fill.
+///     Not done where that part would be a void in the cell, nor over a hole in one section unless confident
+///     enough; walls between wider parts of the outside are.
+///   - plug (k = 1, b < 0): all of t is in contact and fills the last of a void.
 ///   - loop (the rest): would make a handle; not done.
 /// So the surface of the cell keeps genus 0 (cell_topology.h), whatever tetrahedra are allowed and in
 /// whatever order. The order decides which joins and domes come about: most confident first, so that the

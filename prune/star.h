@@ -5,6 +5,7 @@
 /// star of a simplex is walked across facets, from a corner of one tetrahedron to the same simplex's corner
 /// of the next.
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 
@@ -29,6 +30,18 @@ inline bool facet_contains(unsigned facet, unsigned corner) {
 /// Slot of vertex v in the tetrahedron. REQUIRES: v is one of its vertices.
 inline unsigned slot_of(const std::array<std::uint32_t, 4>& tet, std::uint32_t v) {
   return tet[0] == v ? 0U : tet[1] == v ? 1U : tet[2] == v ? 2U : 3U;
+}
+
+/// The vertices of a tetrahedron as its name: independent of its number and the order of its slots.
+inline std::array<std::uint32_t, 4> sorted_vertices(const TetMesh& mesh, std::uint32_t t) {
+  std::array<std::uint32_t, 4> v = mesh.vertices[t];
+  std::sort(v.begin(), v.end());
+  return v;
+}
+
+/// The other one of the two facets of a tetrahedron at an edge. REQUIRES: the facet contains it.
+inline std::uint8_t other_facet(unsigned facet, unsigned corner) {
+  return static_cast<std::uint8_t>(__builtin_ctz(kCornerFacets[corner] & ~(1U << facet)));
 }
 
 /// Facet of tetrahedron t that leads to its neighbour n. REQUIRES: they are neighbours.
@@ -59,7 +72,7 @@ void visit_around_edge(const TetMesh& mesh, std::uint32_t start, unsigned corner
       if (n == start) return;
       visit(n);
       at = same_corner(mesh, t, at, n);
-      out = static_cast<unsigned>(__builtin_ctz(kCornerFacets[at] & ~(1U << facet_towards(mesh, n, t))));
+      out = other_facet(facet_towards(mesh, n, t), at);
       t = n;
     }
   }
@@ -76,6 +89,18 @@ inline bool is_on_ground(const CellComplex& complex, std::uint32_t t, unsigned c
     if (facet_contains(i, corner) && complex.facets[t][i] == FacetKind::internal) return true;
   }
   return false;
+}
+
+/// True iff a triangle of t is within a section.
+inline bool stands_on_section(const CellComplex& complex, std::uint32_t t) {
+  const auto& facets = complex.facets[t];
+  return std::find(facets.begin(), facets.end(), FacetKind::internal) != facets.end();
+}
+
+/// True iff an edge of t is within a section, not on a contour.
+inline bool has_inner_edge(const CellComplex& complex, std::uint32_t t) {
+  const auto& edges = complex.edges[t];
+  return std::find(edges.begin(), edges.end(), EdgeKind::internal) != edges.end();
 }
 
 }  // namespace crossloft

@@ -64,6 +64,7 @@ class Pipeline {
   // glue_stage.cpp
   Result<Done> glue_cells();
 
+  Result<Done> check_options() const;
   Result<Done> check_input() const;
   void report_crossings();
   void explain_empty();

@@ -12,30 +12,52 @@ namespace {
 /// Volumes and areas of coordinates beyond this would overflow a double.
 constexpr double kLargestCoordinate = 1e100;
 
-const char* name_of(PruneMode mode) {
-  switch (mode) {
-    case PruneMode::natural:
-      return "natural";
-    case PruneMode::joint:
-      return "joint";
-    case PruneMode::paper:
-      return "paper";
-    case PruneMode::paper_literal:
-      return "paper-literal";
-  }
-  return "";
+Result<Done> check_natural(const NaturalOptions& options) {
+  for (const double confidence : {options.join_confidence, options.dome_confidence})
+    if (!(confidence >= -1 && confidence <= 1))
+      return make_error(ErrorCode::usage, "a confidence is between -1 and 1");
+  if (!(options.smooth_weight >= 0 && options.smooth_weight <= kLargestSmoothWeight))
+    return make_error(ErrorCode::usage, "the weight of smoothness is between 0 and 1e9");
+  return Done{};
+}
+
+/// A request that names nothing would be passed over in silence.
+Result<Done> check_named(const Sections& sections, std::uint32_t plane, std::uint32_t contour) {
+  if (plane >= sections.planes.size())
+    return Error{ErrorCode::usage, "a request to join names a plane that is not there", {}, 0, plane,
+                 contour};
+  const auto& edges = sections.planes[plane].edges;
+  if (std::none_of(edges.begin(), edges.end(), [&](const ContourEdge& e) { return e.contour == contour; }))
+    return Error{ErrorCode::usage,
+                 "a request to join names a contour that is not there",
+                 {},
+                 sections.planes[plane].line,
+                 plane,
+                 contour};
+  return Done{};
 }
 
 }  // namespace
 
-Result<Done> Pipeline::check_input() const {
+Result<Done> Pipeline::check_options() const {
   for (const double tolerance : {options_.match_tolerance, options_.on_tolerance, options_.simplify})
     if (!(tolerance >= 0 && tolerance <= 1))
       return make_error(ErrorCode::usage, "a tolerance is a fraction of the diagonal, between 0 and 1");
+  if (auto good = check_natural(options_.natural); !good) return good;
+  for (const JoinRequest& r : options_.joins) {
+    if (auto good = check_named(sections_, r.plane_a, r.contour_a); !good) return good;
+    if (auto good = check_named(sections_, r.plane_b, r.contour_b); !good) return good;
+  }
+  return Done{};
+}
+
+Result<Done> Pipeline::check_input() const {
+  if (auto good = check_options(); !good) return good;
   for (std::uint32_t p = 0; p < sections_.planes.size(); ++p)
     for (const Vec3& v : sections_.planes[p].vertices)
       if (std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}) > kLargestCoordinate && is_finite(v))
-        return Error{ErrorCode::too_large, "a coordinate is beyond 1e100", {}, sections_.planes[p].line, p, kNone};
+        return Error{
+            ErrorCode::too_large, "a coordinate is beyond 1e100", {}, sections_.planes[p].line, p, kNone};
   return Done{};
 }
 
@@ -69,13 +91,15 @@ void Pipeline::report_crossings() {
   report.simplify_deviation = s.deviation * framed_.grid.unit();
   for (const Mismatch& m : s.unmatched) {
     const Vec3 p = framed_.grid.from_lattice(m.point);
-    report.unmatched.push_back({framed_.planes[m.plane].sources[0], framed_.planes[m.other].sources[0], p.x, p.y, p.z});
+    report.unmatched.push_back(
+        {framed_.planes[m.plane].sources[0], framed_.planes[m.other].sources[0], p.x, p.y, p.z});
   }
   if (!report.unmatched.empty())
     warn(std::to_string(report.unmatched.size()) +
          " crossings of contours with other planes have no partner there: the sections disagree");
   if (s.disagreeing != 0)
-    warn(std::to_string(s.disagreeing) + " common points of planes are inside one section and outside another");
+    warn(std::to_string(s.disagreeing) +
+         " common points of planes are inside one section and outside another");
 }
 
 Result<Done> Pipeline::arrange() {
@@ -84,7 +108,8 @@ Result<Done> Pipeline::arrange() {
   auto arrangement = build_arrangement(planes, data_box(framed_), store_, context_);
   if (!arrangement) return arrangement.error();
   arrangement_ = std::make_unique<Arrangement>(std::move(arrangement).value());
-  if (auto good = self_check("arrangement", [&] { return arrangement_->verify(); }); !good) return good.error();
+  if (auto good = self_check("arrangement", [&] { return arrangement_->verify(); }); !good)
+    return good.error();
   Report& report = result_.report;
   report.arrangement_cells = arrangement_->cell_count();
   report.arrangement_faces = arrangement_->face_count();
@@ -97,7 +122,8 @@ Result<Done> Pipeline::arrange() {
   auto graph = build_section_graph(framed_, *arrangement_, store_, tolerances, context_);
   if (!graph) return graph.error();
   graph_ = std::move(graph).value();
-  if (auto good = self_check("sections", [&] { return verify(graph_, *arrangement_); }); !good) return good.error();
+  if (auto good = self_check("sections", [&] { return verify(graph_, *arrangement_); }); !good)
+    return good.error();
   report_crossings();
   report.seconds.crossings = watch_.lap();
   if (observer_) observer_->on_sections(framed_, *arrangement_, graph_);
@@ -127,7 +153,8 @@ Result<Reconstruction> Pipeline::run() {
   report.mode = name_of(options_.mode);
   if (auto done = frame(); !done) return done.error();
   if (!framed_.planes.empty())
-    for (const auto step : {&Pipeline::arrange, &Pipeline::triangulate_faces, &Pipeline::fill_cells, &Pipeline::glue_cells}) {
+    for (const auto step :
+         {&Pipeline::arrange, &Pipeline::triangulate_faces, &Pipeline::fill_cells, &Pipeline::glue_cells}) {
       if (context_.cancelled()) return cancelled();
       if (auto done = (this->*step)(); !done) return done.error();
     }

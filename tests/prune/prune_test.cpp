@@ -130,5 +130,6 @@ TEST_CASE("two grounded edges alone make no solid, though they conform") {
 
 TEST_CASE("an empty cell") {
   CHECK(prune(CellComplex{}, PruneMode::joint).kept.empty());
+  CHECK(prune(CellComplex{}, CellShape{}, PruneOptions{}).kept.empty());
   CHECK(verify(CellComplex{}, prune(CellComplex{}, PruneMode::joint)));
 }

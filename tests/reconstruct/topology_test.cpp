@@ -1,5 +1,7 @@
 /// The mode natural on solids whose topology is known, and what the user can steer.
 
+#include <cmath>
+
 #include "../../inspect/check.h"
 #include "../../inspect/slice.h"
 #include "../../inspect/solids.h"
@@ -105,4 +107,32 @@ TEST_CASE("a join below the wanted confidence is refused and reported, and a req
   const auto one = reconstruct(sections, strict);
   REQUIRE(one.ok());
   CHECK(one->report.topology.joins == 1);
+}
+
+TEST_CASE("options of natural and requests that make no sense are refused, with plane and contour") {
+  const Sections sections = two_columns(1.5);
+  const auto refused = [&](const Options& options) {
+    const auto r = reconstruct(sections, options);
+    REQUIRE(!r.ok());
+    CHECK(r.error().code == ErrorCode::usage);
+    return r.error();
+  };
+  for (const double bad : {-1.5, 1.5, static_cast<double>(NAN)}) {
+    Options join, dome;
+    join.natural.join_confidence = bad;
+    dome.natural.dome_confidence = bad;
+    refused(join);
+    refused(dome);
+  }
+  for (const double bad : {-1.0, 1e10, static_cast<double>(INFINITY), static_cast<double>(NAN)}) {
+    Options smooth;
+    smooth.natural.smooth_weight = bad;
+    refused(smooth);
+  }
+  Options plane, contour;
+  plane.joins.push_back({0, 0, 2, 0, true});
+  CHECK(refused(plane).plane == 2);
+  contour.joins.push_back({0, 0, 1, 5, false});
+  CHECK(refused(contour).plane == 1);
+  CHECK(refused(contour).contour == 5);
 }
