@@ -59,10 +59,17 @@ std::vector<Case> all_cases() {
           {"nested shells by 12", [] { return nested_shells(); }, random_set(12)}};
 }
 
+/// One component of a surface.
+struct Body {
+  std::int64_t genus = 0;
+  double volume = 0;
+};
+
 struct Shape {
   std::int64_t genus = 0;
   std::size_t components = 0;
   double volume = 0;
+  std::vector<Body> bodies;  ///< the largest first
 
   bool same(const Shape& o) const { return genus == o.genus && components == o.components; }
 };
@@ -70,11 +77,19 @@ struct Shape {
 /// By index only: crossings are not asked for here.
 Shape shape_of(const Surface& surface) {
   CheckReport report;
-  check_topology(surface, report);
-  Shape shape{0, report.components.size(), 0};
-  for (const ComponentReport& c : report.components) shape.genus += 1 - c.euler / 2;
-  for (const auto& t : surface.triangles)
-    shape.volume += dot(surface.points[t[0]], cross(surface.points[t[1]], surface.points[t[2]])) / 6;
+  const SurfaceTopology topology = check_topology(surface, report);
+  for (std::size_t i = 0; i < topology.triangles.size(); ++i) {
+    const auto [a, b, c] = corners(surface, topology.triangles[i]);
+    report.components[topology.component[i]].volume += dot(a, cross(b, c)) / 6;
+  }
+  Shape shape{0, report.components.size(), 0, {}};
+  for (const ComponentReport& c : report.components) {
+    shape.genus += 1 - c.euler / 2;
+    shape.volume += c.volume;
+    shape.bodies.push_back({1 - c.euler / 2, c.volume});
+  }
+  std::sort(shape.bodies.begin(), shape.bodies.end(),
+            [](const Body& a, const Body& b) { return std::fabs(a.volume) > std::fabs(b.volume); });
   return shape;
 }
 
@@ -130,6 +145,16 @@ void print_summary(const std::string& name, PruneMode mode, const Shape& truth, 
   std::fflush(stdout);
 }
 
+/// What a wrong run consists of, and the joins it did without.
+void print_bodies(const Run& run) {
+  std::printf("       ");
+  for (const Body& b : run.shape.bodies)
+    std::printf(" [genus %lld volume %.2g]", static_cast<long long>(b.genus), b.volume);
+  const TopologyReport& t = run.report.topology;
+  std::printf(" joins refused %u walls %u pinched vertices %u edges %u\n", t.refused_joins, t.walls,
+              run.report.pinched_vertices, run.report.pinched_edges);
+}
+
 bool run_case(const Case& c, const Arguments& arguments) {
   const Surface mesh = c.solid();
   const Shape truth = shape_of(mesh);
@@ -140,15 +165,18 @@ bool run_case(const Case& c, const Arguments& arguments) {
     for (std::size_t m = 0; m < arguments.modes.size(); ++m) {
       Options options = arguments.options;
       options.mode = arguments.modes[m];
+      if (std::getenv("JC")) options.natural.join_confidence = std::atof(std::getenv("JC"));
+      if (std::getenv("DC")) options.natural.dome_confidence = std::atof(std::getenv("DC"));
       Run run;
       if (!reconstruct_one(mesh, truth, *sections, options, arguments.rays, run)) return false;
       const bool right = run.shape.same(truth);
       if (arguments.verbose || !right)
-        std::printf("  seed %2llu %-8s genus %lld of %lld, components %zu of %zu, iou %.4f, flat %.2g\n",
-                    static_cast<unsigned long long>(seed), name_of(options.mode),
+        std::printf("  seed %2llu %-8s chi %lld genus %lld of %lld, components %zu of %zu, iou %.4f, flat %.2g\n",
+                    static_cast<unsigned long long>(seed), name_of(options.mode), (long long)(2*(long long)run.shape.components-2*run.shape.genus),
                     static_cast<long long>(run.shape.genus), static_cast<long long>(truth.genus),
                     run.shape.components, truth.components, run.iou,
                     run.report.flat_area / run.report.section_area);
+      if (arguments.verbose && !right) print_bodies(run);
       runs[m].push_back(std::move(run));
     }
   }

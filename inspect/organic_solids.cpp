@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <vector>
 
 #include "circle.h"
@@ -107,6 +108,7 @@ Surface genus3_solid(std::uint32_t cells) {
 
 Surface trefoil_solid(std::uint32_t cells) {
   constexpr int kPieces = 180;
+  static const double R = std::getenv("TRR") ? std::atof(std::getenv("TRR")) : 0.12;
   std::vector<Vec3> curve;
   for (int k = 0; k <= kPieces; ++k) {
     const double t = static_cast<double>(k) / kPieces;
@@ -115,7 +117,7 @@ Surface trefoil_solid(std::uint32_t cells) {
   }
   const auto field = [curve](const Vec3& p) {
     double f = 1;
-    for (int k = 0; k < kPieces; ++k) f = std::min(f, tube(p, curve[k], curve[k + 1], 0.12, 0.12));
+    for (int k = 0; k < kPieces; ++k) f = std::min(f, tube(p, curve[k], curve[k + 1], R, R));
     return f;
   };
   return implicit_solid(field, cube_box(1), cells);
@@ -123,7 +125,7 @@ Surface trefoil_solid(std::uint32_t cells) {
 
 Surface vessel_solid(std::uint32_t cells) {
   std::vector<Branch> tree;
-  grow({0, 0, -0.9}, {0, 0, 0.6}, {1, 0, 0}, 0.15, 3, tree);
+  grow({0, 0, -0.8}, {0, 0, 0.6}, {1, 0, 0}, 0.24, 2, tree);
   const auto field = [tree](const Vec3& p) {
     double f = 1;
     for (const Branch& b : tree) f = blend(f, tube(p, b.from, b.to, b.thick, b.thin), 0.04);
@@ -133,10 +135,11 @@ Surface vessel_solid(std::uint32_t cells) {
 }
 
 Surface gyroid_solid(std::uint32_t cells) {
+  static const double F = std::getenv("GYF") ? std::atof(std::getenv("GYF")) : 0.8;
   const auto field = [](const Vec3& p) {
-    const SineCosine x = circle(0.8 * p.x), y = circle(0.8 * p.y), z = circle(0.8 * p.z);
+    const SineCosine x = circle(F * p.x), y = circle(F * p.y), z = circle(F * p.z);
     const double g = x.sine * y.cosine + y.sine * z.cosine + z.sine * x.cosine;
-    return -blend((0.4 - std::abs(g)) / 5, -ball(p, {0, 0, 0}, 0.93), 0.06);  // rounded intersection
+    return -blend(-g / 5, -ball(p, {0, 0, 0}, 0.93), 0.06);  // rounded intersection
   };
   return implicit_solid(field, cube_box(1), cells);
 }

@@ -126,6 +126,8 @@ Result<Done> Pipeline::prune_cell(CellId id, CellState& state) {
   state.pruning_seconds += watch.lap();
   state.delaunay_seconds = cell.delaunay_seconds;
   state.ground = ground_under(cell, pruned.kept);
+  if (options_.mode == PruneMode::natural)
+    state.bridges = find_bridges(cell, pruned.kept, numbering_.points);
   // Natural may leave a section no more than a spike that no solid subset would have: it lacks samples even
   // so.
   const bool ask_joint = samples_may_come_ && options_.mode == PruneMode::natural;
@@ -215,6 +217,7 @@ Result<Done> Pipeline::fill_cells() {
     if (auto done = add_samples(); !done) return done;
     if (auto done = prune_due_cells(); !done) return done;
   }
+  build_bridges();
   cover_finally();
   finish_faces();
   finish_cells();

@@ -11,6 +11,7 @@
 
 #include "../arrangement/data_box.h"
 #include "branching.h"
+#include "bridges.h"
 #include "cell_builder.h"
 #include "glue.h"
 #include "numbering.h"
@@ -40,6 +41,7 @@ struct CellState {
   std::vector<std::array<std::uint32_t, 4>> tets;    ///< kept ones, by final vertex numbers
   CellReport report;
   double delaunay_seconds = 0, pruning_seconds = 0;
+  CellBridges bridges;                 ///< mode natural
   std::vector<GroundTriangle> ground;  ///< internal triangles that kept tetrahedra stand on
   BuiltCell built;                     ///< only for an observer
   PruneResult pruned;
@@ -61,6 +63,8 @@ class Pipeline {
   Result<Done> triangulate_faces();
   // cell_stage.cpp
   Result<Done> fill_cells();
+  // bridge_stage.cpp
+  void build_bridges();
   // glue_stage.cpp
   Result<Done> glue_cells();
 
