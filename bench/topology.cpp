@@ -165,14 +165,12 @@ bool run_case(const Case& c, const Arguments& arguments) {
     for (std::size_t m = 0; m < arguments.modes.size(); ++m) {
       Options options = arguments.options;
       options.mode = arguments.modes[m];
-      if (std::getenv("JC")) options.natural.join_confidence = std::atof(std::getenv("JC"));
-      if (std::getenv("DC")) options.natural.dome_confidence = std::atof(std::getenv("DC"));
       Run run;
       if (!reconstruct_one(mesh, truth, *sections, options, arguments.rays, run)) return false;
       const bool right = run.shape.same(truth);
       if (arguments.verbose || !right)
-        std::printf("  seed %2llu %-8s chi %lld genus %lld of %lld, components %zu of %zu, iou %.4f, flat %.2g\n",
-                    static_cast<unsigned long long>(seed), name_of(options.mode), (long long)(2*(long long)run.shape.components-2*run.shape.genus),
+        std::printf("  seed %2llu %-8s genus %lld of %lld, components %zu of %zu, iou %.4f, flat %.2g\n",
+                    static_cast<unsigned long long>(seed), name_of(options.mode),
                     static_cast<long long>(run.shape.genus), static_cast<long long>(truth.genus),
                     run.shape.components, truth.components, run.iou,
                     run.report.flat_area / run.report.section_area);

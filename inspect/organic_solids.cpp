@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <vector>
 
 #include "circle.h"
@@ -108,7 +107,6 @@ Surface genus3_solid(std::uint32_t cells) {
 
 Surface trefoil_solid(std::uint32_t cells) {
   constexpr int kPieces = 180;
-  static const double R = std::getenv("TRR") ? std::atof(std::getenv("TRR")) : 0.12;
   std::vector<Vec3> curve;
   for (int k = 0; k <= kPieces; ++k) {
     const double t = static_cast<double>(k) / kPieces;
@@ -117,7 +115,7 @@ Surface trefoil_solid(std::uint32_t cells) {
   }
   const auto field = [curve](const Vec3& p) {
     double f = 1;
-    for (int k = 0; k < kPieces; ++k) f = std::min(f, tube(p, curve[k], curve[k + 1], R, R));
+    for (int k = 0; k < kPieces; ++k) f = std::min(f, tube(p, curve[k], curve[k + 1], 0.12, 0.12));
     return f;
   };
   return implicit_solid(field, cube_box(1), cells);
@@ -135,9 +133,8 @@ Surface vessel_solid(std::uint32_t cells) {
 }
 
 Surface gyroid_solid(std::uint32_t cells) {
-  static const double F = std::getenv("GYF") ? std::atof(std::getenv("GYF")) : 0.8;
   const auto field = [](const Vec3& p) {
-    const SineCosine x = circle(F * p.x), y = circle(F * p.y), z = circle(F * p.z);
+    const SineCosine x = circle(0.66 * p.x), y = circle(0.66 * p.y), z = circle(0.66 * p.z);
     const double g = x.sine * y.cosine + y.sine * z.cosine + z.sine * x.cosine;
     return -blend(-g / 5, -ball(p, {0, 0, 0}, 0.93), 0.06);  // rounded intersection
   };

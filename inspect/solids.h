@@ -27,7 +27,7 @@ Surface genus2_solid(std::uint32_t cells = 64);   ///< two rings that share a ba
 Surface genus3_solid(std::uint32_t cells = 64);   ///< a disk with three holes
 Surface trefoil_solid(std::uint32_t cells = 64);  ///< tube along the trefoil knot, genus 1
 Surface vessel_solid(std::uint32_t cells = 64);   ///< tree of tapering tubes, genus 0
-Surface gyroid_solid(std::uint32_t cells = 48);   ///< gyroid walls within a ball, high genus
+Surface gyroid_solid(std::uint32_t cells = 48);   ///< one side of a gyroid within a ball, genus 2
 Surface nested_shells(std::uint32_t cells = 48);  ///< ball with a cavity that holds a ball: three components
 /// The solid of the demo: a bear with its arms akimbo, 1.9 tall, z up, facing -y. Limbs branch from the body
 /// and two holes go through (genus 2).

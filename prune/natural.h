@@ -15,7 +15,7 @@ inline constexpr double kLargestSmoothWeight = 1e9;
 
 /// Confidences are -1..1, the weight 0..kLargestSmoothWeight.
 struct NaturalOptions {
-  double join_confidence = -0.1;  ///< two sections are joined where the best way between them has this
+  double join_confidence = 0;     ///< two sections are joined where the best way between them has this
   double dome_confidence = -0.4;  ///< a hole in a section is closed over where the last piece has this
   double smooth_weight = 1;       ///< of a small surface against a likely volume
 };

@@ -46,12 +46,14 @@ bool is_source(std::span<const Source> sources, const Edge& edge) {
 /// The section triangles at one edge and which of them the solid connects there.
 class EdgeRing {
  public:
-  EdgeRing(std::span<const SectionSide> sides, std::span<const Source> sources, std::span<const CellState> cells)
+  EdgeRing(std::span<const SectionSide> sides, std::span<const Source> sources,
+           std::span<const CellState> cells)
       : sides_(sides), connected_(sides.size()) {
     for (std::uint32_t i = 0; i < sides.size(); ++i)
       for (std::uint32_t j = 0; j < i; ++j)
         for (const CellId cell : sides[i].cells)
-          if ((cell == sides[j].cells[0] || cell == sides[j].cells[1]) && is_whole(cell.value, sources, cells))
+          if ((cell == sides[j].cells[0] || cell == sides[j].cells[1]) &&
+              is_whole(cell.value, sources, cells))
             connected_.join(i, j);
   }
 
@@ -70,7 +72,8 @@ class EdgeRing {
 
  private:
   /// Whether the fan of a cell at the edge is kept as a whole.
-  static bool is_whole(std::uint32_t cell, std::span<const Source> sources, std::span<const CellState> cells) {
+  static bool is_whole(std::uint32_t cell, std::span<const Source> sources,
+                       std::span<const CellState> cells) {
     return cells[cell].report.tets_r0 != 0 &&
            std::none_of(sources.begin(), sources.end(), [&](const Source& s) { return s.cell == cell; });
   }
@@ -119,8 +122,8 @@ std::vector<SectionSide> section_sides(std::span<const FaceTriangulation> faces,
 using PointName = std::pair<std::uint32_t, std::uint32_t>;
 
 /// Final numbers of the points that the pieces use, after all others and in lexicographic order.
-std::map<PointName, std::uint32_t> number_points(std::span<const Source> built, std::span<const CellState> cells,
-                                                 Numbering& numbering) {
+std::map<PointName, std::uint32_t> number_points(std::span<const Source> built,
+                                                 std::span<const CellState> cells, Numbering& numbering) {
   std::map<PointName, std::uint32_t> numbers;
   for (const Source& s : built)
     for (const auto& piece : cells[s.cell].bridges.bridges[s.bridge].pieces)

@@ -31,7 +31,8 @@ class BridgeFinder {
         claim(centres_, fan.gap[i].tet, fan.edge);
         if (i > 0) claim(facet_points_, facet_key(fan.gap[i]), fan.edge);
       }
-    for (auto& [tet, claimed] : centres_) claimed.number = add_point(cell_.complex.mesh.vertices[tet], claimed.edge);
+    for (auto& [tet, claimed] : centres_)
+      claimed.number = add_point(cell_.complex.mesh.vertices[tet], claimed.edge);
     for (auto& [triangle, claimed] : facet_points_) claimed.number = add_point(triangle, claimed.edge);
     for (const BrokenFan& fan : fans_) add_bridge(fan);
     return std::move(result_);
@@ -53,7 +54,8 @@ class BridgeFinder {
   /// The facet through which one comes to a tetrahedron of a gap, by its vertices.
   Triangle facet_key(const GapTet& gap) const {
     Triangle key{};
-    for (std::size_t k = 0; k < 3; ++k) key[k] = cell_.complex.mesh.vertices[gap.tet][kFacetSlots[gap.from][k]];
+    for (std::size_t k = 0; k < 3; ++k)
+      key[k] = cell_.complex.mesh.vertices[gap.tet][kFacetSlots[gap.from][k]];
     std::sort(key.begin(), key.end());
     return key;
   }
@@ -70,7 +72,8 @@ class BridgeFinder {
     for (const std::uint32_t v : corners) {
       const LatticePoint& p = points_[cell_.vertices[v]];
       const bool at_edge = v == edge[0] || v == edge[1];
-      sum = sum + (at_edge ? (1 - kThickness) / 2 : kThickness / static_cast<double>(N - 2)) * Vec3{p.x, p.y, p.z};
+      sum = sum +
+            (at_edge ? (1 - kThickness) / 2 : kThickness / static_cast<double>(N - 2)) * Vec3{p.x, p.y, p.z};
     }
     const auto rounded = [](double x) { return static_cast<std::int64_t>(std::floor(x + 0.5)); };
     result_.points.push_back(make_point(LatticeVector{rounded(sum.x), rounded(sum.y), rounded(sum.z)}));
@@ -83,7 +86,9 @@ class BridgeFinder {
     return numbers;
   }
 
-  bool is_positive(const Tet& t) const { return orient3d(point(t[0]), point(t[1]), point(t[2]), point(t[3])) > 0; }
+  bool is_positive(const Tet& t) const {
+    return orient3d(point(t[0]), point(t[1]), point(t[2]), point(t[3])) > 0;
+  }
 
   /// The tetrahedron's part between facet i and its centre.
   Tet part_at(std::uint32_t t, std::uint8_t i) const {
@@ -126,7 +131,8 @@ class BridgeFinder {
       const GapTet& gap = fan.gap[i];
       bool good = true;
       for (std::uint8_t f = 0; f < 4; ++f) good = good && is_positive(part_at(gap.tet, f));
-      good = good && add_part(gap, gap.from, i > 0, bridge) && add_part(gap, gap.to, i + 1 < fan.gap.size(), bridge);
+      good = good && add_part(gap, gap.from, i > 0, bridge) &&
+             add_part(gap, gap.to, i + 1 < fan.gap.size(), bridge);
       if (good) continue;
       bridge.pieces.clear();
       break;
@@ -143,8 +149,8 @@ class BridgeFinder {
   std::span<const LatticePoint> points_;
   const Ground ground_;
   const std::vector<BrokenFan> fans_;
-  std::map<std::uint32_t, Claimed> centres_;                        ///< by tetrahedron
-  std::map<Triangle, Claimed> facet_points_;    ///< by local vertices, ascending
+  std::map<std::uint32_t, Claimed> centres_;  ///< by tetrahedron
+  std::map<Triangle, Claimed> facet_points_;  ///< by local vertices, ascending
   CellBridges result_;
 };
 

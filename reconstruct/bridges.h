@@ -2,13 +2,13 @@
 /// Bridges: where the solid would fall apart along an edge within a section, a thin piece of it is put back.
 ///
 /// An edge inside a section has a fan of tetrahedra in each cell around it (prune/broken_fans.h). If none of
-/// them is kept as a whole, the solid is pinched to the edge, though the section goes on across it: bodies come
-/// apart, or a tunnel of no width opens. The tetrahedra of the gap can't be in the solid themselves, most of
-/// them because another of their edges or triangles is outside of a section. They are divided: each gets a
-/// *centre*, each facet between two of them a point of its own, both close to the edge, and the piece at the
-/// edge, which contains nothing else of the tetrahedron, is taken. A bridge touches a cell's solid in a disk,
-/// the two triangles where the gap ends, so it is a simple move: the cell's count stays as it was, and what
-/// it takes for granted comes true.
+/// them is kept as a whole, the solid is pinched to the edge, though the section goes on across it: bodies
+/// come apart, or a tunnel of no width opens. The tetrahedra of the gap can't be in the solid themselves,
+/// most of them because another of their edges or triangles is outside of a section. They are divided: each
+/// gets a *centre*, each facet between two of them a point of its own, both close to the edge, and the piece
+/// at the edge, which contains nothing else of the tetrahedron, is taken. A bridge touches a cell's solid in
+/// a disk, the two triangles where the gap ends, so it is a simple move: the cell's count stays as it was,
+/// and what it takes for granted comes true.
 
 #include <array>
 #include <cstdint>
@@ -25,9 +25,9 @@ inline constexpr std::uint32_t kFirstBridgePoint = std::uint32_t{1} << 31;
 
 /// One broken fan of a cell.
 struct Bridge {
-  std::array<std::uint32_t, 2> edge{};                ///< final numbers, ascending
-  std::array<GroundTriangle, 2> ground{};             ///< section triangles at its ends
-  std::vector<std::array<std::uint32_t, 4>> pieces;   ///< positively oriented; none: can't be bridged
+  std::array<std::uint32_t, 2> edge{};               ///< final numbers, ascending
+  std::array<GroundTriangle, 2> ground{};            ///< section triangles at its ends
+  std::vector<std::array<std::uint32_t, 4>> pieces;  ///< positively oriented; none: can't be bridged
 };
 
 struct CellBridges {
@@ -35,9 +35,9 @@ struct CellBridges {
   std::vector<Bridge> bridges;
 };
 
-/// All broken fans of a cell, with the pieces that would close them. Every orientation is tested exactly: a gap
-/// too thin for the grid has no pieces. Pieces of different bridges of a cell are equal or do not overlap. O(n
-/// log n).
+/// All broken fans of a cell, with the pieces that would close them. Every orientation is tested exactly: a
+/// gap too thin for the grid has no pieces. Pieces of different bridges of a cell are equal or do not
+/// overlap. O(n log n).
 CellBridges find_bridges(const BuiltCell& cell, const std::vector<std::uint8_t>& kept,
                          std::span<const LatticePoint> points);
 
