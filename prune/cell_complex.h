@@ -17,6 +17,9 @@ enum class FacetKind : std::uint8_t { free, internal, external };
 /// section.
 enum class EdgeKind : std::uint8_t { free, contour, internal, external };
 
+/// A triangle by its vertices, ascending.
+using Triangle = std::array<std::uint32_t, 3>;
+
 struct CellComplex {
   TetMesh mesh;
   std::uint32_t vertex_count = 0;

@@ -19,11 +19,13 @@ std::int32_t as_integer(double confidence) {
 class NaturalPruning {
  public:
   NaturalPruning(const CellComplex& complex, const CellShape& shape, const NaturalOptions& options,
-                 std::span<const JoinWish> wishes)
+                 const CellRequests& requests)
       : complex_(complex),
         shape_(shape),
         options_(options),
-        limits_{as_integer(options.join_confidence), as_integer(options.dome_confidence), wishes},
+        requests_(requests),
+        limits_{as_integer(options.join_confidence), as_integer(options.dome_confidence), requests.wishes,
+                requests.alone.opened},
         ground_(complex) {}
 
   NaturalResult run(const std::vector<std::uint8_t>& r1) {
@@ -37,22 +39,44 @@ class NaturalPruning {
     report.before = report.after = count_topology(complex_, ground_, result.kept);
     if (report.before.bodies < report.before.sections)
       report.joins = find_joins(complex_, ground_, result.kept, confidence);
-    if (is_good(report, result.kept)) return result;
-    report.grown = true;
-    GrowthResult grown = grow_simply(complex_, ground_, result.kept, confidence, limits_);
-    refill_cracks(complex_, ground_, result.kept, grown.kept);
-    result.kept = std::move(grown.kept);
-    report.joins = std::move(grown.joins);
-    report.domes = std::move(grown.domes);
-    report.after = count_topology(complex_, ground_, result.kept);
+    if (!is_good(report, result.kept)) grow(confidence, result);
+    if (requests_.alone.joined.empty()) {
+      result.alone = find_alone(complex_, ground_, r1, result.kept, confidence);
+      for (AlonePart& body : result.alone.bodies)
+        body.can_change = body.can_change && body.confidence >= as_integer(options_.alone_confidence) && !is_forbidden();
+    } else {
+      join_those_alone(r1, confidence, result);
+    }
     return result;
   }
 
  private:
+  void grow(std::span<const std::int32_t> confidence, NaturalResult& result) const {
+    GrowthResult grown = grow_simply(complex_, ground_, result.kept, confidence, limits_);
+    refill_cracks(complex_, ground_, result.kept, grown.kept);
+    result.kept = std::move(grown.kept);
+    result.report.grown = true;
+    result.report.joins = std::move(grown.joins);
+    result.report.domes = std::move(grown.domes);
+    result.report.after = count_topology(complex_, ground_, result.kept);
+  }
+
+  bool is_forbidden() const {
+    const auto& wishes = requests_.wishes;
+    return std::any_of(wishes.begin(), wishes.end(), [](const JoinWish& w) { return !w.join; });
+  }
+
+  void join_those_alone(const std::vector<std::uint8_t>& r1, std::span<const std::int32_t> confidence,
+                        NaturalResult& result) const {
+    for (const Triangle& name : requests_.alone.joined)
+      join_alone(complex_, ground_, r1, confidence, name, result.kept, result.report.joins);
+    result.report.after = count_topology(complex_, ground_, result.kept);
+  }
+
   /// Nothing that growth could decide otherwise.
   bool is_good(const NaturalReport& report, const std::vector<std::uint8_t>& kept) const {
     const CellTopology& t = report.before;
-    if (t.genus != 0 || t.voids != 0 || !limits_.wishes.empty()) return false;
+    if (t.genus != 0 || t.voids != 0 || !limits_.wishes.empty() || !limits_.open.empty()) return false;
     if (!report.joins.empty() && report.joins.back().confidence < limits_.join) return false;
     return t.outsides <= 1 || !has_dome(complex_, kept);
   }
@@ -60,6 +84,7 @@ class NaturalPruning {
   const CellComplex& complex_;
   const CellShape& shape_;
   const NaturalOptions& options_;
+  const CellRequests& requests_;
   const GrowthLimits limits_;
   const Ground ground_;
 };
@@ -68,8 +93,8 @@ class NaturalPruning {
 
 NaturalResult prune_naturally(const CellComplex& complex, const CellShape& shape,
                               const std::vector<std::uint8_t>& r1, const NaturalOptions& options,
-                              std::span<const JoinWish> wishes) {
-  return NaturalPruning(complex, shape, options, wishes).run(r1);
+                              const CellRequests& requests) {
+  return NaturalPruning(complex, shape, options, requests).run(r1);
 }
 
 }  // namespace crossloft

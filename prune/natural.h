@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "alone.h"
 #include "cell_complex.h"
 #include "cell_shape.h"
 #include "cell_topology.h"
@@ -17,6 +18,7 @@ inline constexpr double kLargestSmoothWeight = 1e9;
 struct NaturalOptions {
   double join_confidence = 0;     ///< two sections are joined where the best way between them has this
   double dome_confidence = -0.4;  ///< a hole in a section is closed over where the last piece has this
+  double alone_confidence = -0.5; ///< what would be a body that one plane alone shows is joined all the same
   double smooth_weight = 1;       ///< of a small surface against a likely volume
 };
 
@@ -29,10 +31,19 @@ struct NaturalReport {
   std::vector<std::int32_t> domes;  ///< confidences of those that growth closed
 };
 
+/// What a cell is asked for beyond its options: by the user, and by what its neighbours have found.
+struct CellRequests {
+  std::vector<JoinWish> wishes;
+  AloneRequests alone;
+
+  bool empty() const { return wishes.empty() && alone.joined.empty() && alone.opened.empty(); }
+};
+
 struct NaturalResult {
   std::vector<std::uint8_t> kept;
   std::uint32_t r2 = 0;  ///< tetrahedra that the cut leaves
   NaturalReport report;
+  AloneParts alone;  ///< of the cell without requests
 };
 
 /// (1) Confidences of the tetrahedra of R1 (confidence.h). (2) The cheapest subset of R1 (energy.h). (3)
@@ -41,6 +52,6 @@ struct NaturalResult {
 /// and vertex numbers alone.
 NaturalResult prune_naturally(const CellComplex& complex, const CellShape& shape,
                               const std::vector<std::uint8_t>& r1, const NaturalOptions& options,
-                              std::span<const JoinWish> wishes);
+                              const CellRequests& requests);
 
 }  // namespace crossloft

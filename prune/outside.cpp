@@ -4,6 +4,7 @@
 #include <array>
 
 #include "disjoint_sets.h"
+#include "star.h"
 
 namespace crossloft {
 namespace {
@@ -30,6 +31,15 @@ DisjointSets parts_of(const CellComplex& complex, const std::vector<std::uint8_t
   return parts;
 }
 
+void describe(const CellComplex& complex, std::uint32_t face, ClosedHole& hole) {
+  hole.face = face;
+  hole.name = {kNone, kNone, kNone};
+  for (const std::uint32_t t : hole.tets)
+    for (unsigned i = 0; i < 4; ++i)
+      if (complex.facets[t][i] == FacetKind::external)
+        hole.name = std::min(hole.name, facet_vertices(complex.mesh, t, i));
+}
+
 }  // namespace
 
 void OpeningOf::add(std::uint32_t t) {
@@ -51,7 +61,7 @@ void OpeningOf::add(std::uint32_t t) {
   }
 }
 
-bool has_dome(const CellComplex& complex, const std::vector<std::uint8_t>& kept) {
+std::vector<ClosedHole> closed_holes(const CellComplex& complex, const std::vector<std::uint8_t>& kept) {
   DisjointSets parts = parts_of(complex, kept);
   std::vector<std::uint32_t> number(kept.size(), kNone);
   std::vector<OpeningOf> openings;
@@ -64,8 +74,17 @@ bool has_dome(const CellComplex& complex, const std::vector<std::uint8_t>& kept)
     }
     openings[n].add(t);
   }
-  return std::any_of(openings.begin(), openings.end(),
-                     [](const OpeningOf& o) { return o.kind() == Opening::hole; });
+  std::vector<ClosedHole> holes(openings.size());
+  for (std::uint32_t t = 0; t < kept.size(); ++t)
+    if (kept[t] == 0) holes[number[parts.find(t)]].tets.push_back(t);
+  for (std::size_t i = 0; i < holes.size(); ++i)
+    if (openings[i].kind() == Opening::hole) describe(complex, openings[i].face(), holes[i]);
+  std::erase_if(holes, [](const ClosedHole& h) { return h.face == kNone; });
+  return holes;
+}
+
+bool has_dome(const CellComplex& complex, const std::vector<std::uint8_t>& kept) {
+  return !closed_holes(complex, kept).empty();
 }
 
 }  // namespace crossloft

@@ -1,6 +1,7 @@
 #pragma once
 /// Parts of a cell outside of its solid, and what they open to.
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -21,6 +22,8 @@ class OpeningOf {
   explicit OpeningOf(const CellComplex& complex) : complex_(complex) {}
   void add(std::uint32_t t);
   Opening kind() const { return kind_; }
+  /// Of the hole. REQUIRES: it is one.
+  std::uint32_t face() const { return face_; }
 
  private:
   const CellComplex& complex_;
@@ -28,8 +31,16 @@ class OpeningOf {
   std::uint32_t face_ = kNone;  ///< the one face so far
 };
 
-/// True iff some part of the outside is a hole under a dome. Parts hang together at facets and edges, as
-/// gluing leaves the outside connected along edges. O(n log n).
+/// A part of the outside that is a hole under a dome.
+struct ClosedHole {
+  std::vector<std::uint32_t> tets;  ///< ascending
+  std::uint32_t face = kNone;       ///< in whose section the hole is
+  Triangle name{};                  ///< its smallest hull triangle
+};
+
+/// All holes under domes. Parts of the outside hang together at facets and edges, as gluing leaves the outside
+/// connected along edges. O(n log n).
+std::vector<ClosedHole> closed_holes(const CellComplex& complex, const std::vector<std::uint8_t>& kept);
 bool has_dome(const CellComplex& complex, const std::vector<std::uint8_t>& kept);
 
 }  // namespace crossloft

@@ -62,7 +62,7 @@ const char* name_of(PruneMode mode) {
 }
 
 PruneResult prune(const CellComplex& complex, const CellShape& shape, const PruneOptions& options,
-                  std::span<const JoinWish> wishes) {
+                  const CellRequests& requests) {
   if (options.mode != PruneMode::natural) {
     PruneResult result = prune(complex, options.mode);
     result.natural.before = result.natural.after = count_topology(complex, Ground(complex), result.kept);
@@ -72,11 +72,12 @@ PruneResult prune(const CellComplex& complex, const CellShape& shape, const Prun
   result.r0 = complex.mesh.size();
   const std::vector<std::uint8_t> r1 = step1(complex);
   result.r1 = count(r1);
-  NaturalResult natural = prune_naturally(complex, shape, r1, options.natural, wishes);
+  NaturalResult natural = prune_naturally(complex, shape, r1, options.natural, requests);
   result.kept = std::move(natural.kept);
   result.r2 = natural.r2;
   result.r3 = count(result.kept);
   result.natural = std::move(natural.report);
+  result.alone = std::move(natural.alone);
   return result;
 }
 

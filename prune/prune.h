@@ -32,6 +32,7 @@ struct PruneResult {
   std::uint32_t r2 = 0;   ///< after Step 2: the largest solid subset (of the two-plane ones in `paper`);
                           ///< the cheapest solid in `natural`
   std::uint32_t r3 = 0;   ///< after Step 3: the solid; r2 in `joint`
+  AloneParts alone;       ///< `natural` only
   NaturalReport natural;  ///< but for the topology, filled in `natural` only
 };
 
@@ -45,7 +46,7 @@ struct PruneOptions {
 /// vertices). REQUIRES: verify(complex) (verify.h); in `natural` the shape has a point for each vertex and a
 /// plane for each face. Time and memory: README.md.
 PruneResult prune(const CellComplex& complex, const CellShape& shape, const PruneOptions& options,
-                  std::span<const JoinWish> wishes = {});
+                  const CellRequests& requests = {});
 /// The modes that measure nothing. REQUIRES: mode is not `natural`.
 PruneResult prune(const CellComplex& complex, PruneMode mode);
 

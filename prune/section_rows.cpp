@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "star.h"
+
 namespace crossloft {
 namespace {
 
@@ -29,9 +31,7 @@ std::vector<Side> contour_sides(const CellComplex& complex) {
   for (std::uint32_t t = 0; t < complex.mesh.size(); ++t)
     for (unsigned i = 0; i < 4; ++i) {
       if (complex.facets[t][i] != FacetKind::internal) continue;
-      std::array<std::uint32_t, 3> v;
-      for (unsigned k = 0; k < 3; ++k) v[k] = complex.mesh.vertices[t][kFacetSlots[i][k]];
-      std::sort(v.begin(), v.end());
+      const Triangle v = facet_vertices(complex.mesh, t, i);
       const std::uint32_t face = complex.common_face(v[0], v[1], v[2]);
       sides.insert(sides.end(), {{face, v[0], v[1]}, {face, v[0], v[2]}, {face, v[1], v[2]}});
     }

@@ -181,15 +181,16 @@ class SimpleGrowth {
   bool may_close(std::uint32_t t, const Contact& contact) {
     const bool sure = confidence_[t] >= limits_.dome || stands_on_section(complex_, t);
     for (const std::uint32_t start : solid_.outside_around(t, contact)) {
-      const Opening opening = opening_from(start, t);
-      if (opening == Opening::none || (opening == Opening::hole && !sure)) return false;
+      bool wanted_open = false;
+      const Opening opening = opening_from(start, t, wanted_open);
+      if (opening == Opening::none || (opening == Opening::hole && (!sure || wanted_open))) return false;
     }
     return true;
   }
 
   /// Breadth first through the outside, not through the dome; across edges too, where gluing leaves it
   /// connected. A part of allowed tetrahedra alone can still be filled: it counts as wide.
-  Opening opening_from(std::uint32_t start, std::uint32_t dome) {
+  Opening opening_from(std::uint32_t start, std::uint32_t dome, bool& wanted_open) {
     std::vector<std::uint32_t> seen{start};
     visited_.resize(complex_.mesh.size());
     visited_[start] = visited_[dome] = 1;
@@ -203,12 +204,23 @@ class SimpleGrowth {
     for (std::size_t head = 0; head < seen.size() && opening.kind() != Opening::wide; ++head) {
       const std::uint32_t t = seen[head];
       opening.add(t);
+      wanted_open |= stays_open(t);
       fillable &= rank_[t] != kNone;
       for (unsigned corner = 4; corner < kCorners; ++corner) visit_around_edge(complex_.mesh, t, corner, see);
     }
     for (const std::uint32_t t : seen) visited_[t] = 0;
     visited_[dome] = 0;
     return fillable ? Opening::wide : opening.kind();
+  }
+
+  bool stays_open(std::uint32_t t) const {
+    for (unsigned i = 0; i < 4 && !limits_.open.empty(); ++i) {
+      const auto& open = limits_.open;
+      if (complex_.facets[t][i] == FacetKind::external &&
+          std::find(open.begin(), open.end(), facet_vertices(complex_.mesh, t, i)) != open.end())
+        return true;
+    }
+    return false;
   }
 
   /// The best join of each pair of bodies that was not confident enough.

@@ -39,6 +39,7 @@ struct GrowthLimits {
   std::int32_t join = 0;  ///< confidence that a join needs
   std::int32_t dome = 0;  ///< and a dome
   std::span<const JoinWish> wishes;
+  std::span<const Triangle> open;  ///< holes that stay open: an external hull triangle of each
 };
 
 struct GrowthResult {

@@ -39,6 +39,14 @@ inline std::array<std::uint32_t, 4> sorted_vertices(const TetMesh& mesh, std::ui
   return v;
 }
 
+/// The vertices of a facet, ascending.
+inline Triangle facet_vertices(const TetMesh& mesh, std::uint32_t t, unsigned facet) {
+  Triangle v{};
+  for (std::size_t k = 0; k < 3; ++k) v[k] = mesh.vertices[t][kFacetSlots[facet][k]];
+  std::sort(v.begin(), v.end());
+  return v;
+}
+
 /// The other one of the two facets of a tetrahedron at an edge. REQUIRES: the facet contains it.
 inline std::uint8_t other_facet(unsigned facet, unsigned corner) {
   return static_cast<std::uint8_t>(__builtin_ctz(kCornerFacets[corner] & ~(1U << facet)));

@@ -182,7 +182,7 @@ bool verify(const CellComplex& complex, const PruneResult& result) {
 }
 
 bool verify_natural(const CellComplex& complex, const PruneResult& result) {
-  if (result.kept.size() != complex.mesh.size() || !counts_fit(result) || result.r3 > result.r2) return false;
+  if (result.kept.size() != complex.mesh.size() || !counts_fit(result)) return false;
   const CellTopology found = count_topology(complex, Ground(complex), result.kept);
   return conforms(complex, result.kept) && found == result.natural.after && found.genus == 0 &&
          found.voids == 0 && found.bodies <= found.sections;

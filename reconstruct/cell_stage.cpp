@@ -68,11 +68,11 @@ void Pipeline::cover_finally() {
 }
 
 PruneResult Pipeline::prune_built(CellId id, std::span<const FaceId> ids, std::span<const CellFace> faces,
-                                  const BuiltCell& cell) const {
+                                  const BuiltCell& cell, const AloneRequests& asked) const {
   if (options_.mode != PruneMode::natural) return prune(cell.complex, {}, {options_.mode, {}});
-  const std::vector<JoinWish> wishes = cell_wishes(options_.joins, faces, cell);
+  const CellRequests requests{cell_wishes(options_.joins, faces, cell), cell_requests(asked, cell)};
   return prune(cell.complex, cell_shape(*arrangement_, id, ids, cell, numbering_),
-               {options_.mode, options_.natural}, wishes);
+               {options_.mode, options_.natural}, requests);
 }
 
 /// Joins by places instead of the cell's vertices.
@@ -114,7 +114,7 @@ Result<Done> Pipeline::prune_cell(CellId id, CellState& state) {
   BuiltCell& cell = *built;
   if (cell.complex.mesh.size() == 0) return Done{};
   Stopwatch watch;
-  PruneResult pruned = prune_built(id, ids, faces, cell);
+  PruneResult pruned = prune_built(id, ids, faces, cell, state.asked);
   if (auto good = check_pruned(cell, pruned); !good) return good;
   CellReport& report = state.report;
   report.faces = static_cast<std::uint32_t>(faces.size());
@@ -126,6 +126,7 @@ Result<Done> Pipeline::prune_cell(CellId id, CellState& state) {
   state.pruning_seconds += watch.lap();
   state.delaunay_seconds = cell.delaunay_seconds;
   state.ground = ground_under(cell, pruned.kept);
+  state.alone = by_final_numbers(std::move(pruned.alone), ids, cell);
   if (options_.mode == PruneMode::natural)
     state.bridges = find_bridges(cell, pruned.kept, numbering_.points);
   // Natural may leave a section no more than a spike that no solid subset would have: it lacks samples even
@@ -217,6 +218,7 @@ Result<Done> Pipeline::fill_cells() {
     if (auto done = add_samples(); !done) return done;
     if (auto done = prune_due_cells(); !done) return done;
   }
+  if (auto done = reconsider_alone(); !done) return done;
   build_bridges();
   cover_finally();
   finish_faces();

@@ -50,6 +50,25 @@ CellShape cell_shape(const Arrangement& arrangement, CellId id, std::span<const 
   return shape;
 }
 
+AloneRequests cell_requests(const AloneRequests& asked, const BuiltCell& cell) {
+  AloneRequests local = asked;
+  for (auto* list : {&local.joined, &local.opened})
+    for (Triangle& triangle : *list)
+      for (std::uint32_t& v : triangle)
+        v = static_cast<std::uint32_t>(std::lower_bound(cell.vertices.begin(), cell.vertices.end(), v) -
+                                       cell.vertices.begin());
+  return local;
+}
+
+AloneParts by_final_numbers(AloneParts alone, std::span<const FaceId> faces, const BuiltCell& cell) {
+  for (auto* list : {&alone.bodies, &alone.bubbles})
+    for (AlonePart& part : *list) {
+      for (std::uint32_t& v : part.name) v = cell.vertices[v];
+      part.face = faces[part.face].value;
+    }
+  return alone;
+}
+
 std::vector<JoinWish> cell_wishes(std::span<const JoinRequest> requests, std::span<const CellFace> faces,
                                   const BuiltCell& cell) {
   std::vector<JoinWish> wishes;

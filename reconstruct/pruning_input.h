@@ -8,6 +8,7 @@
 #include "../prune/cell_shape.h"
 #include "../prune/simple_growth.h"
 #include "cell_builder.h"
+#include "../prune/alone.h"
 #include "join_request.h"
 #include "numbering.h"
 
@@ -20,6 +21,11 @@ CellShape cell_shape(const Arrangement& arrangement, CellId id, std::span<const 
 
 /// The requests that concern a cell, by its local vertices: a contour's are those of its walls on the cell's
 /// faces.
+/// Names of triangles by local vertices instead of final numbers.
+AloneRequests cell_requests(const AloneRequests& asked, const BuiltCell& cell);
+/// The other way around; faces by their numbers in the arrangement. `faces`: as in cell_shape.
+AloneParts by_final_numbers(AloneParts alone, std::span<const FaceId> faces, const BuiltCell& cell);
+
 std::vector<JoinWish> cell_wishes(std::span<const JoinRequest> requests, std::span<const CellFace> faces,
                                   const BuiltCell& cell);
 
