@@ -19,6 +19,8 @@ enum class EdgeKind : std::uint8_t { free, contour, internal, external };
 
 /// A triangle by its vertices, ascending.
 using Triangle = std::array<std::uint32_t, 3>;
+/// A tetrahedron in the same way: names that do not depend on its number.
+using TetName = std::array<std::uint32_t, 4>;
 
 struct CellComplex {
   TetMesh mesh;

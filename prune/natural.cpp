@@ -25,7 +25,7 @@ class NaturalPruning {
         options_(options),
         requests_(requests),
         limits_{as_integer(options.join_confidence), as_integer(options.dome_confidence), requests.wishes,
-                requests.alone.opened},
+                requests.opened},
         ground_(complex) {}
 
   NaturalResult run(const std::vector<std::uint8_t>& r1) {
@@ -40,13 +40,10 @@ class NaturalPruning {
     if (report.before.bodies < report.before.sections)
       report.joins = find_joins(complex_, ground_, result.kept, confidence);
     if (!is_good(report, result.kept)) grow(confidence, result);
-    if (requests_.alone.joined.empty()) {
-      result.alone = find_alone(complex_, ground_, r1, result.kept, confidence);
-      for (AlonePart& body : result.alone.bodies)
-        body.can_change = body.can_change && body.confidence >= as_integer(options_.alone_confidence) && !is_forbidden();
-    } else {
-      join_those_alone(r1, confidence, result);
-    }
+    if (!requests_.joined.empty()) join_alone(r1, confidence, result);
+    if (!requests_.questions.empty())
+      result.answers =
+          SecondLook(complex_, ground_, r1, result.kept, confidence).answer(requests_.questions);
     return result;
   }
 
@@ -61,15 +58,15 @@ class NaturalPruning {
     result.report.after = count_topology(complex_, ground_, result.kept);
   }
 
-  bool is_forbidden() const {
-    const auto& wishes = requests_.wishes;
-    return std::any_of(wishes.begin(), wishes.end(), [](const JoinWish& w) { return !w.join; });
-  }
-
-  void join_those_alone(const std::vector<std::uint8_t>& r1, std::span<const std::int32_t> confidence,
-                        NaturalResult& result) const {
-    for (const Triangle& name : requests_.alone.joined)
-      join_alone(complex_, ground_, r1, confidence, name, result.kept, result.report.joins);
+  void join_alone(const std::vector<std::uint8_t>& r1, std::span<const std::int32_t> confidence,
+                  NaturalResult& result) const {
+    for (const TetName& body : requests_.joined) {
+      Join join;
+      for (const std::uint32_t t :
+           SecondLook(complex_, ground_, r1, result.kept, confidence).way_from(body, join))
+        result.kept[t] = 1;
+      if (join.done) result.report.joins.push_back(join);
+    }
     result.report.after = count_topology(complex_, ground_, result.kept);
   }
 

@@ -4,10 +4,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "alone.h"
 #include "cell_complex.h"
 #include "cell_shape.h"
 #include "cell_topology.h"
+#include "second_look.h"
 #include "simple_growth.h"
 
 namespace crossloft {
@@ -34,16 +34,16 @@ struct NaturalReport {
 /// What a cell is asked for beyond its options: by the user, and by what its neighbours have found.
 struct CellRequests {
   std::vector<JoinWish> wishes;
-  AloneRequests alone;
-
-  bool empty() const { return wishes.empty() && alone.joined.empty() && alone.opened.empty(); }
+  SecondThoughts questions;         ///< answered by the result, which they leave as it is
+  std::vector<TetName> joined;      ///< bodies to be joined with what they most likely belong to
+  std::vector<OpenRequest> opened;
 };
 
 struct NaturalResult {
   std::vector<std::uint8_t> kept;
   std::uint32_t r2 = 0;  ///< tetrahedra that the cut leaves
   NaturalReport report;
-  AloneParts alone;  ///< of the cell without requests
+  Answers answers;
 };
 
 /// (1) Confidences of the tetrahedra of R1 (confidence.h). (2) The cheapest subset of R1 (energy.h). (3)

@@ -31,15 +31,6 @@ DisjointSets parts_of(const CellComplex& complex, const std::vector<std::uint8_t
   return parts;
 }
 
-void describe(const CellComplex& complex, std::uint32_t face, ClosedHole& hole) {
-  hole.face = face;
-  hole.name = {kNone, kNone, kNone};
-  for (const std::uint32_t t : hole.tets)
-    for (unsigned i = 0; i < 4; ++i)
-      if (complex.facets[t][i] == FacetKind::external)
-        hole.name = std::min(hole.name, facet_vertices(complex.mesh, t, i));
-}
-
 }  // namespace
 
 void OpeningOf::add(std::uint32_t t) {
@@ -61,7 +52,23 @@ void OpeningOf::add(std::uint32_t t) {
   }
 }
 
-std::vector<ClosedHole> closed_holes(const CellComplex& complex, const std::vector<std::uint8_t>& kept) {
+OutsidePart outside_part(const CellComplex& complex, const std::vector<std::uint8_t>& kept, std::uint32_t start) {
+  OutsidePart part{{start}, OpeningOf(complex)};
+  std::vector<std::uint8_t> seen(kept.begin(), kept.end());
+  seen[start] = 1;
+  for (std::size_t head = 0; head < part.tets.size(); ++head) {
+    const std::uint32_t t = part.tets[head];
+    part.opening.add(t);
+    for (unsigned corner = 4; corner < kCorners; ++corner)
+      visit_around_edge(complex.mesh, t, corner, [&](std::uint32_t n) {
+        if (seen[n] == 0) part.tets.push_back(n);
+        seen[n] = 1;
+      });
+  }
+  return part;
+}
+
+bool has_dome(const CellComplex& complex, const std::vector<std::uint8_t>& kept) {
   DisjointSets parts = parts_of(complex, kept);
   std::vector<std::uint32_t> number(kept.size(), kNone);
   std::vector<OpeningOf> openings;
@@ -74,17 +81,8 @@ std::vector<ClosedHole> closed_holes(const CellComplex& complex, const std::vect
     }
     openings[n].add(t);
   }
-  std::vector<ClosedHole> holes(openings.size());
-  for (std::uint32_t t = 0; t < kept.size(); ++t)
-    if (kept[t] == 0) holes[number[parts.find(t)]].tets.push_back(t);
-  for (std::size_t i = 0; i < holes.size(); ++i)
-    if (openings[i].kind() == Opening::hole) describe(complex, openings[i].face(), holes[i]);
-  std::erase_if(holes, [](const ClosedHole& h) { return h.face == kNone; });
-  return holes;
-}
-
-bool has_dome(const CellComplex& complex, const std::vector<std::uint8_t>& kept) {
-  return !closed_holes(complex, kept).empty();
+  return std::any_of(openings.begin(), openings.end(),
+                     [](const OpeningOf& o) { return o.kind() == Opening::hole; });
 }
 
 }  // namespace crossloft

@@ -1,7 +1,6 @@
 #pragma once
 /// Parts of a cell outside of its solid, and what they open to.
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -22,7 +21,7 @@ class OpeningOf {
   explicit OpeningOf(const CellComplex& complex) : complex_(complex) {}
   void add(std::uint32_t t);
   Opening kind() const { return kind_; }
-  /// Of the hole. REQUIRES: it is one.
+  /// Of the hole, if it is one; else any of the faces or kNone.
   std::uint32_t face() const { return face_; }
 
  private:
@@ -31,16 +30,17 @@ class OpeningOf {
   std::uint32_t face_ = kNone;  ///< the one face so far
 };
 
-/// A part of the outside that is a hole under a dome.
-struct ClosedHole {
-  std::vector<std::uint32_t> tets;  ///< ascending
-  std::uint32_t face = kNone;       ///< in whose section the hole is
-  Triangle name{};                  ///< its smallest hull triangle
+/// A part of the outside, hanging together at facets and edges.
+struct OutsidePart {
+  std::vector<std::uint32_t> tets;  ///< in no meaningful order
+  OpeningOf opening;
 };
 
-/// All holes under domes. Parts of the outside hang together at facets and edges, as gluing leaves the outside
-/// connected along edges. O(n log n).
-std::vector<ClosedHole> closed_holes(const CellComplex& complex, const std::vector<std::uint8_t>& kept);
+/// The part that a tetrahedron outside is in. O(its size and the degrees of its edges).
+OutsidePart outside_part(const CellComplex& complex, const std::vector<std::uint8_t>& kept, std::uint32_t start);
+
+/// True iff some part of the outside is a hole under a dome. Parts hang together at facets and edges, as
+/// gluing leaves the outside connected along edges. O(n log n).
 bool has_dome(const CellComplex& complex, const std::vector<std::uint8_t>& kept);
 
 }  // namespace crossloft

@@ -77,7 +77,7 @@ PruneResult prune(const CellComplex& complex, const CellShape& shape, const Prun
   result.r2 = natural.r2;
   result.r3 = count(result.kept);
   result.natural = std::move(natural.report);
-  result.alone = std::move(natural.alone);
+  result.answers = std::move(natural.answers);
   return result;
 }
 

@@ -25,6 +25,9 @@ class SimpleGrowth {
         vertex_of_body_(part_names(complex, ground)) {
     set_ranks(allowed);
     find_wished();
+    for (const OpenRequest& request : limits.open)
+      open_.push_back({tet_of_name(complex.mesh, request.from), tet_of_name(complex.mesh, request.to)});
+    std::erase_if(open_, [](const auto& pair) { return pair[0] == kNone || pair[1] == kNone; });
   }
 
   GrowthResult run() {
@@ -181,16 +184,16 @@ class SimpleGrowth {
   bool may_close(std::uint32_t t, const Contact& contact) {
     const bool sure = confidence_[t] >= limits_.dome || stands_on_section(complex_, t);
     for (const std::uint32_t start : solid_.outside_around(t, contact)) {
-      bool wanted_open = false;
-      const Opening opening = opening_from(start, t, wanted_open);
-      if (opening == Opening::none || (opening == Opening::hole && (!sure || wanted_open))) return false;
+      bool parts_open = false;
+      const Opening opening = opening_from(start, t, parts_open);
+      if (parts_open || opening == Opening::none || (opening == Opening::hole && !sure)) return false;
     }
     return true;
   }
 
   /// Breadth first through the outside, not through the dome; across edges too, where gluing leaves it
   /// connected. A part of allowed tetrahedra alone can still be filled: it counts as wide.
-  Opening opening_from(std::uint32_t start, std::uint32_t dome, bool& wanted_open) {
+  Opening opening_from(std::uint32_t start, std::uint32_t dome, bool& parts_open) {
     std::vector<std::uint32_t> seen{start};
     visited_.resize(complex_.mesh.size());
     visited_[start] = visited_[dome] = 1;
@@ -201,26 +204,16 @@ class SimpleGrowth {
       visited_[t] = 1;
       seen.push_back(t);
     };
-    for (std::size_t head = 0; head < seen.size() && opening.kind() != Opening::wide; ++head) {
+    for (std::size_t head = 0; head < seen.size() && (opening.kind() != Opening::wide || !open_.empty()); ++head) {
       const std::uint32_t t = seen[head];
       opening.add(t);
-      wanted_open |= stays_open(t);
       fillable &= rank_[t] != kNone;
       for (unsigned corner = 4; corner < kCorners; ++corner) visit_around_edge(complex_.mesh, t, corner, see);
     }
+    for (const auto& [from, to] : open_) parts_open |= visited_[from] != visited_[to];
     for (const std::uint32_t t : seen) visited_[t] = 0;
     visited_[dome] = 0;
     return fillable ? Opening::wide : opening.kind();
-  }
-
-  bool stays_open(std::uint32_t t) const {
-    for (unsigned i = 0; i < 4 && !limits_.open.empty(); ++i) {
-      const auto& open = limits_.open;
-      if (complex_.facets[t][i] == FacetKind::external &&
-          std::find(open.begin(), open.end(), facet_vertices(complex_.mesh, t, i)) != open.end())
-        return true;
-    }
-    return false;
   }
 
   /// The best join of each pair of bodies that was not confident enough.
@@ -251,6 +244,7 @@ class SimpleGrowth {
   std::vector<std::array<std::vector<std::uint32_t>, 2>> wished_;  ///< by wish and side: ground triangles
   std::priority_queue<std::uint32_t, std::vector<std::uint32_t>, std::greater<>> queue_;
   std::vector<std::uint32_t> put_off_;  ///< ranks
+  std::vector<std::array<std::uint32_t, 2>> open_;  ///< tetrahedra not to be parted by a wall
   GrowthResult result_;
 };
 

@@ -35,11 +35,16 @@ struct JoinWish {
   bool join = true;
 };
 
+/// Two tetrahedra of the outside between which growth builds no wall.
+struct OpenRequest {
+  TetName from{}, to{};
+};
+
 struct GrowthLimits {
   std::int32_t join = 0;  ///< confidence that a join needs
   std::int32_t dome = 0;  ///< and a dome
   std::span<const JoinWish> wishes;
-  std::span<const Triangle> open;  ///< holes that stay open: an external hull triangle of each
+  std::span<const OpenRequest> open;
 };
 
 struct GrowthResult {

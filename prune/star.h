@@ -33,10 +33,17 @@ inline unsigned slot_of(const std::array<std::uint32_t, 4>& tet, std::uint32_t v
 }
 
 /// The vertices of a tetrahedron as its name: independent of its number and the order of its slots.
-inline std::array<std::uint32_t, 4> sorted_vertices(const TetMesh& mesh, std::uint32_t t) {
+inline TetName sorted_vertices(const TetMesh& mesh, std::uint32_t t) {
   std::array<std::uint32_t, 4> v = mesh.vertices[t];
   std::sort(v.begin(), v.end());
   return v;
+}
+
+/// The tetrahedron of that name, kNone if there is none. O(n).
+inline std::uint32_t tet_of_name(const TetMesh& mesh, const TetName& name) {
+  for (std::uint32_t t = 0; t < mesh.size(); ++t)
+    if (sorted_vertices(mesh, t) == name) return t;
+  return kNone;
 }
 
 /// The vertices of a facet, ascending.

@@ -136,6 +136,7 @@ std::map<PointName, std::uint32_t> number_points(std::span<const Source> built,
   };
   std::sort(order.begin(), order.end(),
             [&](const PointName& x, const PointName& y) { return compare_lex(point(x), point(y)) < 0; });
+  numbering.bridge_begin = numbering.points.size();
   for (const PointName& name : order) {
     numbers[name] = static_cast<std::uint32_t>(numbering.points.size());
     numbering.points.push_back(point(name));
@@ -153,14 +154,14 @@ void add_pieces(std::span<const Source> built, std::vector<CellState>& cells,
     for (; i < built.size() && built[i].cell == c; ++i) {
       const Bridge& bridge = cells[c].bridges.bridges[built[i].bridge];
       pieces.insert(pieces.end(), bridge.pieces.begin(), bridge.pieces.end());
-      cells[c].ground.insert(cells[c].ground.end(), bridge.ground.begin(), bridge.ground.end());
+      cells[c].bridge_ground.insert(cells[c].bridge_ground.end(), bridge.ground.begin(), bridge.ground.end());
     }
     std::sort(pieces.begin(), pieces.end());
     pieces.erase(std::unique(pieces.begin(), pieces.end()), pieces.end());
     for (auto& piece : pieces) {
       for (std::uint32_t& v : piece)
         if (v >= kFirstBridgePoint) v = numbers.at({c, v});
-      cells[c].tets.push_back(piece);
+      cells[c].bridge_tets.push_back(piece);
     }
   }
 }
@@ -194,6 +195,16 @@ void Pipeline::build_bridges() {
   }
   std::sort(built.begin(), built.end(), [](const Source& x, const Source& y) { return x.cell < y.cell; });
   add_pieces(built, cells_, number_points(built, cells_, numbering_));
+}
+
+void Pipeline::remove_bridges() {
+  for (CellState& cell : cells_) {
+    cell.bridge_tets.clear();
+    cell.bridge_ground.clear();
+  }
+  numbering_.points.resize(numbering_.bridge_begin);
+  numbering_.graph_vertex.resize(numbering_.bridge_begin);
+  result_.report.topology.bridges = result_.report.topology.open_edges = 0;
 }
 
 }  // namespace crossloft

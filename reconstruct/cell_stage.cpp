@@ -63,14 +63,17 @@ void Pipeline::cover_finally() {
   for (std::uint32_t c = 0; c < cells_.size(); ++c) {
     if (cells_[c].report.tets_r0 == 0) continue;
     const std::vector<FaceId> ids = inner_faces(CellId{c});
-    cover(cell_faces(CellId{c}, ids), ids, cells_[c].ground);
+    std::vector<GroundTriangle>& ground = cells_[c].ground;
+    ground.insert(ground.end(), cells_[c].bridge_ground.begin(), cells_[c].bridge_ground.end());
+    cover(cell_faces(CellId{c}, ids), ids, ground);
   }
 }
 
 PruneResult Pipeline::prune_built(CellId id, std::span<const FaceId> ids, std::span<const CellFace> faces,
-                                  const BuiltCell& cell, const AloneRequests& asked) const {
+                                  const BuiltCell& cell, const CellRequests& asked) const {
   if (options_.mode != PruneMode::natural) return prune(cell.complex, {}, {options_.mode, {}});
-  const CellRequests requests{cell_wishes(options_.joins, faces, cell), cell_requests(asked, cell)};
+  CellRequests requests = by_local_numbers(asked, cell);
+  requests.wishes = cell_wishes(options_.joins, faces, cell);
   return prune(cell.complex, cell_shape(*arrangement_, id, ids, cell, numbering_),
                {options_.mode, options_.natural}, requests);
 }
@@ -126,7 +129,7 @@ Result<Done> Pipeline::prune_cell(CellId id, CellState& state) {
   state.pruning_seconds += watch.lap();
   state.delaunay_seconds = cell.delaunay_seconds;
   state.ground = ground_under(cell, pruned.kept);
-  state.alone = by_final_numbers(std::move(pruned.alone), ids, cell);
+  state.answers = by_final_numbers(std::move(pruned.answers), ids, cell);
   if (options_.mode == PruneMode::natural)
     state.bridges = find_bridges(cell, pruned.kept, numbering_.points);
   // Natural may leave a section no more than a spike that no solid subset would have: it lacks samples even
@@ -218,8 +221,9 @@ Result<Done> Pipeline::fill_cells() {
     if (auto done = add_samples(); !done) return done;
     if (auto done = prune_due_cells(); !done) return done;
   }
-  if (auto done = reconsider_alone(); !done) return done;
   build_bridges();
+  if (options_.mode == PruneMode::natural)
+    if (auto done = look_again(); !done) return done;
   cover_finally();
   finish_faces();
   finish_cells();
@@ -236,7 +240,7 @@ void Pipeline::finish_cells() {
     add_up(cell.report, report.topology);
     report.seconds.delaunay += cell.delaunay_seconds;
     report.seconds.pruning += cell.pruning_seconds;
-    tets_.insert(tets_.end(), cell.tets.begin(), cell.tets.end());
+    for (const auto* list : {&cell.tets, &cell.bridge_tets}) tets_.insert(tets_.end(), list->begin(), list->end());
     if (observer_) observer_->on_cell(CellId{c}, cell.built, cell.pruned);
   }
   cells_.clear();

@@ -10,7 +10,8 @@
 namespace crossloft {
 
 struct Numbering {
-  std::vector<LatticePoint> points;              ///< by final number, lexicographic; then bridge points, too
+  std::vector<LatticePoint> points;              ///< by final number, lexicographic; bridge points then
+  std::size_t bridge_begin = 0;                  ///< number of the first of these, once there are some
   std::vector<std::uint32_t> graph_vertex;       ///< by final number, kNone for a split or sample
   std::vector<std::uint32_t> of_graph;           ///< final number by section graph vertex
   std::vector<std::vector<std::uint32_t>> of_face;  ///< [face][local vertex]: final number

@@ -41,8 +41,10 @@ struct CellState {
   std::vector<std::array<std::uint32_t, 4>> tets;    ///< kept ones, by final vertex numbers
   CellReport report;
   double delaunay_seconds = 0, pruning_seconds = 0;
-  AloneParts alone;                    ///< mode natural; by final numbers and faces of the arrangement
-  AloneRequests asked;                 ///< by final numbers
+  CellRequests asked;                  ///< of other than the user, by final numbers
+  Answers answers;                     ///< to them, by final numbers and faces of the arrangement
+  std::vector<std::array<std::uint32_t, 4>> bridge_tets;
+  std::vector<GroundTriangle> bridge_ground;
   CellBridges bridges;                 ///< mode natural
   std::vector<GroundTriangle> ground;  ///< internal triangles that kept tetrahedra stand on
   BuiltCell built;                     ///< only for an observer
@@ -65,10 +67,11 @@ class Pipeline {
   Result<Done> triangulate_faces();
   // cell_stage.cpp
   Result<Done> fill_cells();
-  // alone_stage.cpp
-  Result<Done> reconsider_alone();
+  // second_look_stage.cpp
+  Result<Done> look_again();
   // bridge_stage.cpp
   void build_bridges();
+  void remove_bridges();
   // glue_stage.cpp
   Result<Done> glue_cells();
 
@@ -87,7 +90,7 @@ class Pipeline {
   Result<Done> prune_due_cells();
   Result<Done> prune_cell(CellId id, CellState& state);
   PruneResult prune_built(CellId id, std::span<const FaceId> ids, std::span<const CellFace> faces,
-                          const BuiltCell& cell, const AloneRequests& asked) const;
+                          const BuiltCell& cell, const CellRequests& asked) const;
   Result<Done> check_pruned(const BuiltCell& cell, const PruneResult& pruned) const;
   void report_topology(const BuiltCell& cell, const NaturalReport& natural, CellReport& report) const;
   void cover(std::span<const CellFace> faces, std::span<const FaceId> ids,

@@ -50,23 +50,26 @@ CellShape cell_shape(const Arrangement& arrangement, CellId id, std::span<const 
   return shape;
 }
 
-AloneRequests cell_requests(const AloneRequests& asked, const BuiltCell& cell) {
-  AloneRequests local = asked;
-  for (auto* list : {&local.joined, &local.opened})
-    for (Triangle& triangle : *list)
-      for (std::uint32_t& v : triangle)
-        v = static_cast<std::uint32_t>(std::lower_bound(cell.vertices.begin(), cell.vertices.end(), v) -
-                                       cell.vertices.begin());
-  return local;
+CellRequests by_local_numbers(CellRequests requests, const BuiltCell& cell) {
+  const auto translate = [&](auto& name) {
+    for (std::uint32_t& v : name)
+      v = static_cast<std::uint32_t>(std::lower_bound(cell.vertices.begin(), cell.vertices.end(), v) -
+                                     cell.vertices.begin());
+  };
+  for (TetName& body : requests.questions.bodies) translate(body);
+  for (Triangle& facet : requests.questions.cavities) translate(facet);
+  for (TetName& body : requests.joined) translate(body);
+  for (OpenRequest& open : requests.opened) translate(open.from), translate(open.to);
+  return requests;
 }
 
-AloneParts by_final_numbers(AloneParts alone, std::span<const FaceId> faces, const BuiltCell& cell) {
-  for (auto* list : {&alone.bodies, &alone.bubbles})
-    for (AlonePart& part : *list) {
-      for (std::uint32_t& v : part.name) v = cell.vertices[v];
-      part.face = faces[part.face].value;
-    }
-  return alone;
+Answers by_final_numbers(Answers answers, std::span<const FaceId> faces, const BuiltCell& cell) {
+  for (CavityAnswer& cavity : answers.cavities) {
+    if (cavity.opening == Opening::hole) cavity.face = faces[cavity.face].value;
+    for (TetName* name : {&cavity.from, &cavity.to})
+      for (std::uint32_t& v : *name) v = cell.vertices[v];
+  }
+  return answers;
 }
 
 std::vector<JoinWish> cell_wishes(std::span<const JoinRequest> requests, std::span<const CellFace> faces,

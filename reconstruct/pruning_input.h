@@ -6,9 +6,8 @@
 
 #include "../arrangement/complex.h"
 #include "../prune/cell_shape.h"
-#include "../prune/simple_growth.h"
+#include "../prune/natural.h"
 #include "cell_builder.h"
-#include "../prune/alone.h"
 #include "join_request.h"
 #include "numbering.h"
 
@@ -21,10 +20,10 @@ CellShape cell_shape(const Arrangement& arrangement, CellId id, std::span<const 
 
 /// The requests that concern a cell, by its local vertices: a contour's are those of its walls on the cell's
 /// faces.
-/// Names of triangles by local vertices instead of final numbers.
-AloneRequests cell_requests(const AloneRequests& asked, const BuiltCell& cell);
+/// Requests and questions by local vertices instead of final numbers.
+CellRequests by_local_numbers(CellRequests requests, const BuiltCell& cell);
 /// The other way around; faces by their numbers in the arrangement. `faces`: as in cell_shape.
-AloneParts by_final_numbers(AloneParts alone, std::span<const FaceId> faces, const BuiltCell& cell);
+Answers by_final_numbers(Answers answers, std::span<const FaceId> faces, const BuiltCell& cell);
 
 std::vector<JoinWish> cell_wishes(std::span<const JoinRequest> requests, std::span<const CellFace> faces,
                                   const BuiltCell& cell);

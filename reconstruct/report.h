@@ -57,8 +57,8 @@ struct TopologyReport {
   std::uint32_t handles = 0;         ///< genus of cells: handles that the sections do not ask for
   std::uint32_t handles_before = 0;  ///< the same before growth took them out
   std::uint32_t grown_cells = 0;
-  std::uint32_t alone_joined = 0;    ///< bodies that one plane alone would have shown
-  std::uint32_t alone_opened = 0;    ///< and bubbles
+  std::uint32_t bodies_joined = 0;    ///< small ones that nothing was joined with in any cell
+  std::uint32_t cavities_opened = 0;  ///< closed from all sides with little confidence, or seen by one plane only
   std::uint32_t bridges = 0;         ///< edges within sections at which a bridge holds the solid together
   std::uint32_t open_edges = 0;      ///< and those where none could be built: the solid is pinched there
   std::uint32_t joins = 0, refused_joins = 0;  ///< of sections within a cell

@@ -1,0 +1,217 @@
+#include "second_look.h"
+
+#include <algorithm>
+#include <queue>
+
+#include "contact.h"
+#include "disjoint_sets.h"
+#include "star.h"
+
+namespace crossloft {
+namespace {
+
+/// Tetrahedra in the order in which a way prefers them.
+struct Preference {
+  Preference(std::size_t size, std::vector<std::uint32_t> best_first) : order(std::move(best_first)), rank(size, kNone) {
+    for (std::uint32_t r = 0; r < order.size(); ++r) rank[order[r]] = r;
+  }
+  std::vector<std::uint32_t> order;
+  std::vector<std::uint32_t> rank;  ///< kNone: not to be used
+};
+
+/// From one of `starts` to a tetrahedron with goal(t), so that the worst one on the way is as good as can be;
+/// from the start on, empty if there is no way. (Prim's algorithm: the first goal it comes to.)
+template <class Goal>
+std::vector<std::uint32_t> best_way(const TetMesh& mesh, const Preference& preference,
+                                    const std::vector<std::uint32_t>& starts, Goal goal) {
+  std::priority_queue<std::uint32_t, std::vector<std::uint32_t>, std::greater<>> queue;
+  std::vector<std::uint32_t> before(mesh.size(), kNone);
+  const auto see = [&](std::uint32_t t, std::uint32_t from) {
+    if (preference.rank[t] == kNone || before[t] != kNone) return;
+    before[t] = from;
+    queue.push(preference.rank[t]);
+  };
+  for (const std::uint32_t t : starts) see(t, t);
+  while (!queue.empty()) {
+    std::uint32_t t = preference.order[queue.top()];
+    queue.pop();
+    if (goal(t)) {
+      std::vector<std::uint32_t> way{t};
+      for (; before[t] != t; t = before[t]) way.push_back(before[t]);
+      std::reverse(way.begin(), way.end());
+      return way;
+    }
+    for (const std::uint32_t n : mesh.neighbours[t])
+      if (n != kNone) see(n, t);
+  }
+  return {};
+}
+
+/// The bodies of a solid: ground triangles, then tetrahedra.
+class Bodies {
+ public:
+  Bodies(const CellComplex& complex, const Ground& ground, const std::vector<std::uint8_t>& kept)
+      : complex_(complex), ground_(ground), kept_(kept), sets_(std::size_t{ground.size()} + kept.size()) {
+    for (std::uint32_t g = 0; g < ground.size(); ++g) {
+      sets_.join(ground.part(g), g);
+      if (const std::uint32_t t = ground.facet(g).tet; kept[t] != 0) sets_.join(g, ground.size() + t);
+    }
+    for (std::uint32_t t = 0; t < kept.size(); ++t)
+      for (const std::uint32_t n : complex.mesh.neighbours[t])
+        if (kept[t] != 0 && n < t && kept[n] != 0) sets_.join(ground.size() + n, ground.size() + t);
+  }
+
+  std::uint32_t of_tet(std::uint32_t t) { return sets_.find(ground_.size() + t); }
+  std::uint32_t of_ground(std::uint32_t g) { return sets_.find(g); }
+
+  /// The body at a facet of t, kNone if there is none.
+  std::uint32_t at(std::uint32_t t, unsigned i) {
+    if (ground_.is_ground(t, i)) return of_ground(ground_.at(t, i));
+    const std::uint32_t n = complex_.mesh.neighbours[t][i];
+    return n != kNone && kept_[n] != 0 ? of_tet(n) : kNone;
+  }
+
+  bool touches(std::uint32_t t, std::uint32_t body) {
+    return at(t, 0) == body || at(t, 1) == body || at(t, 2) == body || at(t, 3) == body;
+  }
+
+  /// A body at t other than `own`, kNone if there is none.
+  std::uint32_t other_at(std::uint32_t t, std::uint32_t own) {
+    std::uint32_t other = kNone;
+    for (unsigned i = 0; i < 4; ++i)
+      if (const std::uint32_t b = at(t, i); b != own) other = std::min(other, b);
+    return other;
+  }
+
+  bool stands_on_one_part(std::uint32_t body) {
+    std::uint32_t part = kNone;
+    for (std::uint32_t g = 0; g < ground_.size(); ++g) {
+      if (of_ground(g) != body) continue;
+      if (part != kNone && part != ground_.part(g)) return false;
+      part = ground_.part(g);
+    }
+    return true;
+  }
+
+  /// Its smallest section vertex.
+  std::uint32_t name_of(std::uint32_t body) {
+    const std::vector<std::uint32_t> names = part_names(complex_, ground_);
+    std::uint32_t name = kNone;
+    for (std::uint32_t g = 0; g < ground_.size(); ++g)
+      if (of_ground(g) == body) name = std::min(name, names[ground_.part(g)]);
+    return name;
+  }
+
+ private:
+  const CellComplex& complex_;
+  const Ground& ground_;
+  const std::vector<std::uint8_t>& kept_;
+  DisjointSets sets_;
+};
+
+bool is_join_of_two(const Contact& contact) {
+  std::vector<std::uint32_t> bodies;
+  for (unsigned i = 0; i < 4; ++i)
+    if ((contact.facets >> i & 1U) != 0) bodies.push_back(contact.bodies[i]);
+  std::sort(bodies.begin(), bodies.end());
+  return contact.parts == 2 && contact.loops == 0 && std::unique(bodies.begin(), bodies.end()) - bodies.begin() == 2;
+}
+
+/// By simple moves, and a join at the end.
+bool can_add(const CellComplex& complex, const Ground& ground, const std::vector<std::uint8_t>& kept,
+             const std::vector<std::uint32_t>& way) {
+  GrowingSolid solid(complex, ground);
+  for (std::uint32_t t = 0; t < kept.size(); ++t)
+    if (kept[t] != 0) solid.add(t);
+  for (const std::uint32_t t : way) {
+    const Contact contact = solid.contact(t);
+    if (t == way.back() ? !is_join_of_two(contact) : !contact.is_simple()) return false;
+    solid.add(t);
+  }
+  return !way.empty();
+}
+
+/// The tetrahedron on the other side of a facet of the solid, kNone if there is none.
+std::uint32_t outside_at(const CellComplex& complex, const std::vector<std::uint8_t>& kept, const Triangle& facet) {
+  for (std::uint32_t t = 0; t < kept.size(); ++t)
+    for (unsigned i = 0; i < 4 && kept[t] == 0; ++i)
+      if (facet_vertices(complex.mesh, t, i) == facet) return t;
+  return kNone;
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> SecondLook::way_from(const TetName& body, Join& join) const {
+  const std::uint32_t start = tet_of_name(complex_.mesh, body);
+  if (start == kNone || kept_[start] == 0) return {};
+  Bodies bodies(complex_, ground_, kept_);
+  const std::uint32_t own = bodies.of_tet(start);
+  std::vector<std::uint8_t> free(kept_.size());
+  for (std::size_t t = 0; t < free.size(); ++t) free[t] = candidates_[t] != 0 && kept_[t] == 0;
+  const Preference preference(free.size(), by_confidence(complex_, free, confidence_));
+  std::vector<std::uint32_t> starts;
+  for (const std::uint32_t t : preference.order)
+    if (bodies.touches(t, own)) starts.push_back(t);
+  std::vector<std::uint32_t> way = best_way(complex_.mesh, preference, starts,
+                                            [&](std::uint32_t t) { return bodies.other_at(t, own) != kNone; });
+  if (!can_add(complex_, ground_, kept_, way)) return {};
+  const auto [a, b] =
+      std::minmax({bodies.name_of(own), bodies.name_of(bodies.other_at(way.back(), own))});
+  join = {a, b, confidence_[way[0]], true};
+  for (const std::uint32_t t : way) join.confidence = std::min(join.confidence, confidence_[t]);
+  return way;
+}
+
+BodyAnswer SecondLook::answer_body(const TetName& body) const {
+  const std::uint32_t t = tet_of_name(complex_.mesh, body);
+  if (t == kNone || kept_[t] == 0) return {};
+  BodyAnswer answer;
+  Bodies bodies(complex_, ground_, kept_);
+  answer.is_alone = bodies.stands_on_one_part(bodies.of_tet(t));
+  Join join;
+  answer.can_join = answer.is_alone && !way_from(body, join).empty();
+  answer.confidence = join.confidence;
+  return answer;
+}
+
+/// The way out leads through the solid, where it is weakest.
+CavityAnswer SecondLook::answer_cavity(const Triangle& facet) const {
+  const std::uint32_t start = outside_at(complex_, kept_, facet);
+  CavityAnswer answer;
+  if (start == kNone) return answer;
+  const OutsidePart part = outside_part(complex_, kept_, start);
+  answer.opening = part.opening.kind();
+  answer.face = part.opening.face();
+  std::vector<std::uint8_t> within(kept_.size(), 0);
+  for (const std::uint32_t t : part.tets) within[t] = 1;
+  std::vector<std::uint32_t> order = by_confidence(complex_, kept_, confidence_);
+  std::reverse(order.begin(), order.end());
+  const Preference preference(kept_.size(), std::move(order));
+  std::vector<std::uint32_t> starts;
+  for (const std::uint32_t t : part.tets)
+    for (const std::uint32_t n : complex_.mesh.neighbours[t])
+      if (n != kNone && kept_[n] != 0) starts.push_back(n);
+  const auto beyond = [&](std::uint32_t t) {
+    TetName name{kNone, kNone, kNone, kNone};
+    for (const std::uint32_t n : complex_.mesh.neighbours[t])
+      if (n != kNone && kept_[n] == 0 && within[n] == 0) name = std::min(name, sorted_vertices(complex_.mesh, n));
+    return name;
+  };
+  const auto way = best_way(complex_.mesh, preference, starts, [&](std::uint32_t t) { return beyond(t)[0] != kNone; });
+  if (way.empty()) return answer;
+  answer.can_open = true;
+  answer.confidence = confidence_[way[0]];
+  for (const std::uint32_t t : way) answer.confidence = std::max(answer.confidence, confidence_[t]);
+  answer.from = sorted_vertices(complex_.mesh, start);
+  answer.to = beyond(way.back());
+  return answer;
+}
+
+Answers SecondLook::answer(const SecondThoughts& questions) const {
+  Answers answers;
+  for (const TetName& body : questions.bodies) answers.bodies.push_back(answer_body(body));
+  for (const Triangle& facet : questions.cavities) answers.cavities.push_back(answer_cavity(facet));
+  return answers;
+}
+
+}  // namespace crossloft

@@ -1,0 +1,72 @@
+#pragma once
+/// Second thoughts about a cell, once the whole solid is known.
+///
+/// A cell can't know what the cells around it do. Together they may leave a small body that nothing is joined
+/// with in any of them, or close a hole from all sides to a cavity. Both are unlikely: what one plane, or two or
+/// three at their common line or point, meet by chance is rather the tip of a bump or of a dent. So each cell is
+/// asked how sure it is, and the least sure of them is told to change.
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "cell_complex.h"
+#include "ground.h"
+#include "joins.h"
+#include "outside.h"
+
+namespace crossloft {
+
+/// Bodies are named by a kept tetrahedron in them, parts of the outside by a facet of the solid at them.
+struct SecondThoughts {
+  std::vector<TetName> bodies;
+  std::vector<Triangle> cavities;
+
+  bool empty() const { return bodies.empty() && cavities.empty(); }
+};
+
+struct BodyAnswer {
+  bool is_alone = false;        ///< nothing in this cell is joined with it: it stands on one part of the sections
+  bool can_join = false;        ///< there is a way to another body
+  std::int32_t confidence = 0;  ///< of the weakest tetrahedron on the best way
+};
+
+struct CavityAnswer {
+  Opening opening = Opening::none;  ///< of the part of it in this cell
+  std::uint32_t face = kNone;       ///< of the hole, if it is one
+  bool can_open = false;
+  std::int32_t confidence = 0;      ///< of the strongest tetrahedron that must go
+  TetName from{}, to{};             ///< outside, in the cavity and where the way out leads
+};
+
+struct Answers {
+  std::vector<BodyAnswer> bodies;
+  std::vector<CavityAnswer> cavities;
+};
+
+/// What a cell does about it. `candidates`: what a body may be joined by, contains `kept`.
+class SecondLook {
+ public:
+  SecondLook(const CellComplex& complex, const Ground& ground, const std::vector<std::uint8_t>& candidates,
+             const std::vector<std::uint8_t>& kept, std::span<const std::int32_t> confidence)
+      : complex_(complex), ground_(ground), candidates_(candidates), kept_(kept), confidence_(confidence) {}
+
+  /// One answer for each question, in the order of the questions. O(n log n) each.
+  Answers answer(const SecondThoughts& questions) const;
+  /// The way from a body to another one that is most confident where it is weakest, if simple moves and one
+  /// join add it; else nothing. `join`: what that joins.
+  std::vector<std::uint32_t> way_from(const TetName& body, Join& join) const;
+
+ private:
+  BodyAnswer answer_body(const TetName& body) const;
+  CavityAnswer answer_cavity(const Triangle& facet) const;
+
+  const CellComplex& complex_;
+  const Ground& ground_;
+  const std::vector<std::uint8_t>& candidates_;
+  const std::vector<std::uint8_t>& kept_;
+  std::span<const std::int32_t> confidence_;
+};
+
+}  // namespace crossloft

@@ -1,0 +1,253 @@
+/// Small bodies and cavities of the whole solid: the cells around them are asked, and the right one is changed.
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "../prune/confidence.h"
+#include "../prune/disjoint_sets.h"
+#include "../prune/star.h"
+#include "pipeline.h"
+
+namespace crossloft {
+namespace {
+
+/// A bump or a dent is met by one plane, by two at their line or by three at their point: so many cells.
+constexpr std::size_t kMostCellsOfBody = 8;
+
+/// One component of the surface, not the largest, as cells see it.
+struct Piece {
+  bool is_cavity = false;
+  std::map<std::uint32_t, TetName> bodies;      ///< by cell: a kept tetrahedron of it
+  std::map<std::uint32_t, Triangle> cavities;   ///< by cell: a facet at it
+};
+
+/// A triangle of the surface and the component that it is in.
+struct PieceTriangle {
+  Triangle vertices{};
+  std::uint32_t piece = 0;
+  friend auto operator<=>(const PieceTriangle&, const PieceTriangle&) = default;
+};
+
+/// The components of a glued surface but the largest one.
+class SurfacePieces {
+ public:
+  SurfacePieces(const GluedSurface& surface, const std::vector<LatticePoint>& points)
+      : surface_(surface), points_(points), sets_(surface.vertices.size()) {
+    for (const auto& t : surface.triangles) {
+      sets_.join(t[0], t[1]);
+      sets_.join(t[0], t[2]);
+    }
+    measure();
+  }
+
+  std::vector<Piece> take() { return std::move(pieces_); }
+
+  /// Ascending; those with midpoints are left out.
+  std::vector<PieceTriangle> triangles() {
+    std::vector<PieceTriangle> list;
+    for (const auto& t : surface_.triangles) {
+      const std::uint32_t piece = number_[sets_.find(t[0])];
+      PieceTriangle triangle{{}, piece};
+      bool whole = piece != kNone;
+      for (std::size_t i = 0; i < 3; ++i) {
+        triangle.vertices[i] = surface_.vertices[t[i]].a;
+        whole = whole && !surface_.vertices[t[i]].is_midpoint();
+      }
+      std::sort(triangle.vertices.begin(), triangle.vertices.end());
+      if (whole) list.push_back(triangle);
+    }
+    std::sort(list.begin(), list.end());
+    return list;
+  }
+
+ private:
+  Vec3 place(std::uint32_t v) const {
+    const LatticePoint& p = points_[surface_.vertices[v].a];
+    return {p.x, p.y, p.z};
+  }
+
+  /// Volumes from a point of each component: nothing small is lost against a distance from afar.
+  void measure() {
+    std::vector<double> volume(surface_.vertices.size(), 0);
+    for (const auto& t : surface_.triangles) {
+      const std::uint32_t root = sets_.find(t[0]);
+      const Vec3 o = place(root);
+      volume[root] += dot(place(t[0]) - o, cross(place(t[1]) - o, place(t[2]) - o));
+    }
+    std::uint32_t largest = 0;
+    for (std::uint32_t v = 0; v < volume.size(); ++v)
+      if (std::fabs(volume[v]) > std::fabs(volume[largest])) largest = v;
+    number_.assign(volume.size(), kNone);
+    for (std::uint32_t v = 0; v < volume.size(); ++v) {
+      if (!sets_.is_root(v) || v == largest) continue;
+      number_[v] = static_cast<std::uint32_t>(pieces_.size());
+      pieces_.push_back({volume[v] < 0, {}, {}});
+    }
+  }
+
+  const GluedSurface& surface_;
+  const std::vector<LatticePoint>& points_;
+  DisjointSets sets_;
+  std::vector<std::uint32_t> number_;  ///< by vertex that is its component's smallest
+  std::vector<Piece> pieces_;
+};
+
+/// The piece that a facet is part of, kNone if it is of none.
+std::uint32_t piece_of(const std::vector<PieceTriangle>& triangles, const Triangle& facet) {
+  const auto place = std::lower_bound(triangles.begin(), triangles.end(), PieceTriangle{facet, 0});
+  return place != triangles.end() && place->vertices == facet ? place->piece : kNone;
+}
+
+template <class Name>
+void keep_smallest(std::map<std::uint32_t, Name>& names, std::uint32_t cell, const Name& name) {
+  const auto [place, is_new] = names.try_emplace(cell, name);
+  if (!is_new) place->second = std::min(place->second, name);
+}
+
+/// Through the facets of their tetrahedra.
+void find_cells(std::span<const CellState> cells, const std::vector<PieceTriangle>& triangles,
+                std::vector<Piece>& pieces) {
+  for (std::uint32_t c = 0; c < cells.size(); ++c)
+    for (TetName name : cells[c].tets) {
+      std::sort(name.begin(), name.end());
+      for (std::size_t i = 0; i < 4; ++i) {
+        Triangle facet{};
+        std::copy_if(name.begin(), name.end(), facet.begin(), [&](std::uint32_t v) { return v != name[i]; });
+        const std::uint32_t piece = piece_of(triangles, facet);
+        if (piece == kNone) continue;
+        if (pieces[piece].is_cavity) keep_smallest(pieces[piece].cavities, c, facet);
+        if (!pieces[piece].is_cavity) keep_smallest(pieces[piece].bodies, c, name);
+      }
+    }
+}
+
+/// A section triangle that is bare on one side: the cavity is in the cell there.
+void find_bare_cells(std::span<const FaceTriangulation> faces, const Numbering& numbering,
+                     const Arrangement& arrangement, const std::vector<PieceTriangle>& triangles,
+                     std::vector<Piece>& pieces) {
+  for (std::uint32_t f = 0; f < faces.size(); ++f)
+    for (std::size_t t = 0; t < faces[f].triangles.size(); ++t) {
+      if (faces[f].internal[t] == 0) continue;
+      Triangle facet{};
+      for (std::size_t i = 0; i < 3; ++i) facet[i] = numbering.of_face[f][faces[f].triangles[t][i]];
+      std::sort(facet.begin(), facet.end());
+      const std::uint32_t piece = piece_of(triangles, facet);
+      if (piece == kNone || !pieces[piece].is_cavity) continue;
+      for (const CellId c : arrangement.cells_of(FaceId{f})) keep_smallest(pieces[piece].cavities, c.value, facet);
+    }
+}
+
+/// The answers of all cells about one piece.
+template <class Answer>
+struct Told {
+  std::uint32_t cell;
+  Answer answer;
+};
+
+std::vector<Told<BodyAnswer>> told_of_body(const Piece& piece, std::span<const CellState> cells) {
+  std::vector<Told<BodyAnswer>> told;
+  for (const auto& [cell, name] : piece.bodies) {
+    const auto& asked = cells[cell].asked.questions.bodies;
+    const auto place = static_cast<std::size_t>(std::find(asked.begin(), asked.end(), name) - asked.begin());
+    if (place < cells[cell].answers.bodies.size()) told.push_back({cell, cells[cell].answers.bodies[place]});
+  }
+  return told;
+}
+
+std::vector<Told<CavityAnswer>> told_of_cavity(const Piece& piece, std::span<const CellState> cells) {
+  std::vector<Told<CavityAnswer>> told;
+  for (const auto& [cell, facet] : piece.cavities) {
+    const auto& asked = cells[cell].asked.questions.cavities;
+    const auto place = static_cast<std::size_t>(std::find(asked.begin(), asked.end(), facet) - asked.begin());
+    if (place >= cells[cell].answers.cavities.size()) continue;
+    const CavityAnswer& answer = cells[cell].answers.cavities[place];
+    if (answer.opening != Opening::none || answer.can_open) told.push_back({cell, answer});
+  }
+  return told;
+}
+
+/// The cell where a body that is alone in all of them is joined best; kNone if it is not alone or nowhere sure
+/// enough.
+std::uint32_t cell_to_join_in(const std::vector<Told<BodyAnswer>>& told, std::int32_t least) {
+  const Told<BodyAnswer>* best = nullptr;
+  for (const auto& t : told) {
+    if (!t.answer.is_alone) return kNone;
+    const bool able = t.answer.can_join && t.answer.confidence >= least;
+    if (able && (best == nullptr || t.answer.confidence > best->answer.confidence)) best = &t;
+  }
+  return best == nullptr ? kNone : best->cell;
+}
+
+bool is_seen_by_one_plane(const std::vector<Told<CavityAnswer>>& told, std::span<const FaceTriangulation> faces) {
+  return std::all_of(told.begin(), told.end(), [&](const auto& t) {
+    return t.answer.opening == Opening::hole && told[0].answer.opening == Opening::hole &&
+           faces[t.answer.face].plane == faces[told[0].answer.face].plane;
+  });
+}
+
+/// Where a cavity is opened: at its least sure wall if one plane alone has seen it, else at all walls that are
+/// less sure than a dome must be.
+std::vector<Told<CavityAnswer>> to_be_opened(std::vector<Told<CavityAnswer>> told,
+                                             std::span<const FaceTriangulation> faces, std::int32_t dome) {
+  const bool one_plane = is_seen_by_one_plane(told, faces);
+  std::erase_if(told, [](const auto& t) { return !t.answer.can_open; });
+  std::stable_sort(told.begin(), told.end(),
+                   [](const auto& x, const auto& y) { return x.answer.confidence < y.answer.confidence; });
+  if (one_plane && told.size() > 1) told.resize(1);
+  if (!one_plane) std::erase_if(told, [&](const auto& t) { return t.answer.confidence >= dome; });
+  return told;
+}
+
+std::int32_t as_integer(double confidence) { return static_cast<std::int32_t>(std::floor(confidence * kCertain + 0.5)); }
+
+}  // namespace
+
+/// Asks, decides, and lets the cells that have to change be pruned once more.
+Result<Done> Pipeline::look_again() {
+  std::vector<std::array<std::uint32_t, 4>> tets;
+  for (const CellState& cell : cells_)
+    for (const auto* list : {&cell.tets, &cell.bridge_tets}) tets.insert(tets.end(), list->begin(), list->end());
+  if (tets.empty()) return Done{};
+  auto glued = glue(tets);
+  if (!glued) return glued.error();
+  SurfacePieces found(*glued, numbering_.points);
+  const std::vector<PieceTriangle> triangles = found.triangles();
+  std::vector<Piece> pieces = found.take();
+  if (pieces.empty()) return Done{};
+  find_cells(cells_, triangles, pieces);
+  find_bare_cells(faces_, numbering_, *arrangement_, triangles, pieces);
+  const bool forbids = std::any_of(options_.joins.begin(), options_.joins.end(), [](const auto& j) { return !j.join; });
+  for (Piece& piece : pieces) {
+    if (piece.bodies.size() > kMostCellsOfBody || forbids) piece.bodies.clear();
+    for (const auto& [cell, name] : piece.bodies) cells_[cell].asked.questions.bodies.push_back(name);
+    for (const auto& [cell, facet] : piece.cavities) cells_[cell].asked.questions.cavities.push_back(facet);
+  }
+  for (CellState& cell : cells_) cell.due = !cell.asked.questions.empty();
+  if (auto done = prune_due_cells(); !done) return done;
+  TopologyReport& report = result_.report.topology;
+  for (const Piece& piece : pieces) {
+    const std::uint32_t join_in =
+        cell_to_join_in(told_of_body(piece, cells_), as_integer(options_.natural.alone_confidence));
+    if (join_in != kNone) {
+      cells_[join_in].asked.joined.push_back(piece.bodies.at(join_in));
+      ++report.bodies_joined;
+    }
+    const auto opened = to_be_opened(told_of_cavity(piece, cells_), faces_, as_integer(options_.natural.dome_confidence));
+    for (const auto& t : opened) cells_[t.cell].asked.opened.push_back({t.answer.from, t.answer.to});
+    report.cavities_opened += opened.empty() ? 0U : 1U;
+  }
+  bool changed = false;
+  for (CellState& cell : cells_) {
+    cell.asked.questions = {};
+    cell.due = !cell.asked.joined.empty() || !cell.asked.opened.empty();
+    changed |= cell.due;
+  }
+  if (!changed) return Done{};
+  remove_bridges();
+  if (auto done = prune_due_cells(); !done) return done;
+  build_bridges();
+  return Done{};
+}
+
+}  // namespace crossloft
