@@ -12,7 +12,8 @@ namespace {
 
 /// Tetrahedra in the order in which a way prefers them.
 struct Preference {
-  Preference(std::size_t size, std::vector<std::uint32_t> best_first) : order(std::move(best_first)), rank(size, kNone) {
+  Preference(std::size_t size, std::vector<std::uint32_t> best_first)
+      : order(std::move(best_first)), rank(size, kNone) {
     for (std::uint32_t r = 0; r < order.size(); ++r) rank[order[r]] = r;
   }
   std::vector<std::uint32_t> order;
@@ -114,7 +115,8 @@ bool is_join_of_two(const Contact& contact) {
   for (unsigned i = 0; i < 4; ++i)
     if ((contact.facets >> i & 1U) != 0) bodies.push_back(contact.bodies[i]);
   std::sort(bodies.begin(), bodies.end());
-  return contact.parts == 2 && contact.loops == 0 && std::unique(bodies.begin(), bodies.end()) - bodies.begin() == 2;
+  return contact.parts == 2 && contact.loops == 0 &&
+         std::unique(bodies.begin(), bodies.end()) - bodies.begin() == 2;
 }
 
 /// By simple moves, and a join at the end.
@@ -132,7 +134,8 @@ bool can_add(const CellComplex& complex, const Ground& ground, const std::vector
 }
 
 /// The tetrahedron on the other side of a facet of the solid, kNone if there is none.
-std::uint32_t outside_at(const CellComplex& complex, const std::vector<std::uint8_t>& kept, const Triangle& facet) {
+std::uint32_t outside_at(const CellComplex& complex, const std::vector<std::uint8_t>& kept,
+                         const Triangle& facet) {
   for (std::uint32_t t = 0; t < kept.size(); ++t)
     for (unsigned i = 0; i < 4 && kept[t] == 0; ++i)
       if (facet_vertices(complex.mesh, t, i) == facet) return t;
@@ -152,11 +155,10 @@ std::vector<std::uint32_t> SecondLook::way_from(const TetName& body, Join& join)
   std::vector<std::uint32_t> starts;
   for (const std::uint32_t t : preference.order)
     if (bodies.touches(t, own)) starts.push_back(t);
-  std::vector<std::uint32_t> way = best_way(complex_.mesh, preference, starts,
-                                            [&](std::uint32_t t) { return bodies.other_at(t, own) != kNone; });
+  std::vector<std::uint32_t> way = best_way(
+      complex_.mesh, preference, starts, [&](std::uint32_t t) { return bodies.other_at(t, own) != kNone; });
   if (!can_add(complex_, ground_, kept_, way)) return {};
-  const auto [a, b] =
-      std::minmax({bodies.name_of(own), bodies.name_of(bodies.other_at(way.back(), own))});
+  const auto [a, b] = std::minmax({bodies.name_of(own), bodies.name_of(bodies.other_at(way.back(), own))});
   join = {a, b, confidence_[way[0]], true};
   for (const std::uint32_t t : way) join.confidence = std::min(join.confidence, confidence_[t]);
   return way;
@@ -194,10 +196,12 @@ CavityAnswer SecondLook::answer_cavity(const Triangle& facet) const {
   const auto beyond = [&](std::uint32_t t) {
     TetName name{kNone, kNone, kNone, kNone};
     for (const std::uint32_t n : complex_.mesh.neighbours[t])
-      if (n != kNone && kept_[n] == 0 && within[n] == 0) name = std::min(name, sorted_vertices(complex_.mesh, n));
+      if (n != kNone && kept_[n] == 0 && within[n] == 0)
+        name = std::min(name, sorted_vertices(complex_.mesh, n));
     return name;
   };
-  const auto way = best_way(complex_.mesh, preference, starts, [&](std::uint32_t t) { return beyond(t)[0] != kNone; });
+  const auto way =
+      best_way(complex_.mesh, preference, starts, [&](std::uint32_t t) { return beyond(t)[0] != kNone; });
   if (way.empty()) return answer;
   answer.can_open = true;
   answer.confidence = confidence_[way[0]];

@@ -2,9 +2,9 @@
 /// Second thoughts about a cell, once the whole solid is known.
 ///
 /// A cell can't know what the cells around it do. Together they may leave a small body that nothing is joined
-/// with in any of them, or close a hole from all sides to a cavity. Both are unlikely: what one plane, or two or
-/// three at their common line or point, meet by chance is rather the tip of a bump or of a dent. So each cell is
-/// asked how sure it is, and the least sure of them is told to change.
+/// with in any of them, or close a hole from all sides to a cavity. Both are unlikely: what one plane, or two
+/// or three at their common line or point, meet by chance is rather the tip of a bump or of a dent. So each
+/// cell is asked how sure it is, and the least sure of them is told to change.
 
 #include <array>
 #include <cstdint>
@@ -27,8 +27,8 @@ struct SecondThoughts {
 };
 
 struct BodyAnswer {
-  bool is_alone = false;        ///< nothing in this cell is joined with it: it stands on one part of the sections
-  bool can_join = false;        ///< there is a way to another body
+  bool is_alone = false;  ///< nothing in this cell is joined with it: it stands on one part of the sections
+  bool can_join = false;  ///< there is a way to another body
   std::int32_t confidence = 0;  ///< of the weakest tetrahedron on the best way
 };
 
@@ -36,8 +36,8 @@ struct CavityAnswer {
   Opening opening = Opening::none;  ///< of the part of it in this cell
   std::uint32_t face = kNone;       ///< of the hole, if it is one
   bool can_open = false;
-  std::int32_t confidence = 0;      ///< of the strongest tetrahedron that must go
-  TetName from{}, to{};             ///< outside, in the cavity and where the way out leads
+  std::int32_t confidence = 0;  ///< of the strongest tetrahedron that must go
+  TetName from{}, to{};         ///< outside, in the cavity and where the way out leads
 };
 
 struct Answers {

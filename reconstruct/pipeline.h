@@ -4,6 +4,7 @@
 #include <array>
 #include <chrono>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <span>
 #include <string>
@@ -33,6 +34,13 @@ class Stopwatch {
 
  private:
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+/// One component of the surface, not the largest, as cells see it.
+struct Piece {
+  bool is_cavity = false;
+  std::map<std::uint32_t, TetName> bodies;      ///< by cell: a kept tetrahedron of it
+  std::map<std::uint32_t, Triangle> cavities;   ///< by cell: a facet at it
 };
 
 /// A cell while it is worked on, and what it leaves behind.
@@ -69,6 +77,7 @@ class Pipeline {
   Result<Done> fill_cells();
   // second_look_stage.cpp
   Result<Done> look_again();
+  Result<std::vector<Piece>> find_pieces() const;
   // bridge_stage.cpp
   void build_bridges();
   void remove_bridges();

@@ -1,4 +1,5 @@
-/// Small bodies and cavities of the whole solid: the cells around them are asked, and the right one is changed.
+/// Small bodies and cavities of the whole solid: the cells around them are asked, and the right one is
+/// changed.
 
 #include <algorithm>
 #include <cmath>
@@ -14,13 +15,6 @@ namespace {
 
 /// A bump or a dent is met by one plane, by two at their line or by three at their point: so many cells.
 constexpr std::size_t kMostCellsOfBody = 8;
-
-/// One component of the surface, not the largest, as cells see it.
-struct Piece {
-  bool is_cavity = false;
-  std::map<std::uint32_t, TetName> bodies;      ///< by cell: a kept tetrahedron of it
-  std::map<std::uint32_t, Triangle> cavities;   ///< by cell: a facet at it
-};
 
 /// A triangle of the surface and the component that it is in.
 struct PieceTriangle {
@@ -134,7 +128,8 @@ void find_bare_cells(std::span<const FaceTriangulation> faces, const Numbering& 
       std::sort(facet.begin(), facet.end());
       const std::uint32_t piece = piece_of(triangles, facet);
       if (piece == kNone || !pieces[piece].is_cavity) continue;
-      for (const CellId c : arrangement.cells_of(FaceId{f})) keep_smallest(pieces[piece].cavities, c.value, facet);
+      for (const CellId c : arrangement.cells_of(FaceId{f}))
+        keep_smallest(pieces[piece].cavities, c.value, facet);
     }
 }
 
@@ -167,8 +162,8 @@ std::vector<Told<CavityAnswer>> told_of_cavity(const Piece& piece, std::span<con
   return told;
 }
 
-/// The cell where a body that is alone in all of them is joined best; kNone if it is not alone or nowhere sure
-/// enough.
+/// The cell where a body that is alone in all of them is joined best; kNone if it is not alone or nowhere
+/// sure enough.
 std::uint32_t cell_to_join_in(const std::vector<Told<BodyAnswer>>& told, std::int32_t least) {
   const Told<BodyAnswer>* best = nullptr;
   for (const auto& t : told) {
@@ -179,71 +174,103 @@ std::uint32_t cell_to_join_in(const std::vector<Told<BodyAnswer>>& told, std::in
   return best == nullptr ? kNone : best->cell;
 }
 
-bool is_seen_by_one_plane(const std::vector<Told<CavityAnswer>>& told, std::span<const FaceTriangulation> faces) {
+bool is_seen_by_one_plane(const std::vector<Told<CavityAnswer>>& told,
+                          std::span<const FaceTriangulation> faces) {
   return std::all_of(told.begin(), told.end(), [&](const auto& t) {
     return t.answer.opening == Opening::hole && told[0].answer.opening == Opening::hole &&
            faces[t.answer.face].plane == faces[told[0].answer.face].plane;
   });
 }
 
-/// Where a cavity is opened: at its least sure wall if one plane alone has seen it, else at all walls that are
-/// less sure than a dome must be.
+/// Where a cavity is opened: at its least sure wall if one plane alone has seen it, else at all walls that
+/// are less sure than `closed`.
 std::vector<Told<CavityAnswer>> to_be_opened(std::vector<Told<CavityAnswer>> told,
-                                             std::span<const FaceTriangulation> faces, std::int32_t dome) {
+                                             std::span<const FaceTriangulation> faces, std::int32_t closed) {
   const bool one_plane = is_seen_by_one_plane(told, faces);
-  std::erase_if(told, [](const auto& t) { return !t.answer.can_open; });
+  std::erase_if(told, [&](const auto& t) {
+    return !t.answer.can_open || (!one_plane && t.answer.confidence >= closed);
+  });
   std::stable_sort(told.begin(), told.end(),
                    [](const auto& x, const auto& y) { return x.answer.confidence < y.answer.confidence; });
   if (one_plane && told.size() > 1) told.resize(1);
-  if (!one_plane) std::erase_if(told, [&](const auto& t) { return t.answer.confidence >= dome; });
   return told;
 }
 
-std::int32_t as_integer(double confidence) { return static_cast<std::int32_t>(std::floor(confidence * kCertain + 0.5)); }
+std::int32_t as_integer(double confidence) {
+  return static_cast<std::int32_t>(std::floor(confidence * kCertain + 0.5));
+}
+
+std::vector<std::array<std::uint32_t, 4>> all_tets(std::span<const CellState> cells) {
+  std::vector<std::array<std::uint32_t, 4>> tets;
+  for (const CellState& cell : cells)
+    for (const auto* list : {&cell.tets, &cell.bridge_tets})
+      tets.insert(tets.end(), list->begin(), list->end());
+  return tets;
+}
+
+void put_questions(std::span<const Piece> pieces, std::vector<CellState>& cells) {
+  for (const Piece& piece : pieces) {
+    for (const auto& [cell, name] : piece.bodies) cells[cell].asked.questions.bodies.push_back(name);
+    for (const auto& [cell, facet] : piece.cavities) cells[cell].asked.questions.cavities.push_back(facet);
+  }
+  for (CellState& cell : cells) cell.due = !cell.asked.questions.empty();
+}
+
+/// False if no cell has to change.
+bool put_requests(std::span<const Piece> pieces, std::span<const FaceTriangulation> faces,
+                  const NaturalOptions& options, std::vector<CellState>& cells, TopologyReport& report) {
+  for (const Piece& piece : pieces) {
+    if (const std::uint32_t cell =
+            cell_to_join_in(told_of_body(piece, cells), as_integer(options.alone_confidence));
+        cell != kNone) {
+      cells[cell].asked.joined.push_back(piece.bodies.at(cell));
+      ++report.bodies_joined;
+    }
+    const auto walls =
+        to_be_opened(told_of_cavity(piece, cells), faces, as_integer(options.cavity_confidence));
+    for (const auto& wall : walls)
+      cells[wall.cell].asked.opened.push_back({wall.answer.from, wall.answer.to});
+    report.cavities_opened += walls.empty() ? 0U : 1U;
+  }
+  for (CellState& cell : cells) {
+    cell.asked.questions = {};
+    cell.due = !cell.asked.joined.empty() || !cell.asked.opened.empty();
+  }
+  return std::any_of(cells.begin(), cells.end(), [](const CellState& c) { return c.due; });
+}
 
 }  // namespace
 
-/// Asks, decides, and lets the cells that have to change be pruned once more.
-Result<Done> Pipeline::look_again() {
-  std::vector<std::array<std::uint32_t, 4>> tets;
-  for (const CellState& cell : cells_)
-    for (const auto* list : {&cell.tets, &cell.bridge_tets}) tets.insert(tets.end(), list->begin(), list->end());
-  if (tets.empty()) return Done{};
-  auto glued = glue(tets);
+/// What of the solid so far the cells are to be asked about.
+Result<std::vector<Piece>> Pipeline::find_pieces() const {
+  const std::vector<std::array<std::uint32_t, 4>> tets = all_tets(cells_);
+  if (tets.empty()) return std::vector<Piece>{};
+  const auto glued = glue(tets);
   if (!glued) return glued.error();
   SurfacePieces found(*glued, numbering_.points);
   const std::vector<PieceTriangle> triangles = found.triangles();
   std::vector<Piece> pieces = found.take();
-  if (pieces.empty()) return Done{};
+  if (pieces.empty()) return pieces;
   find_cells(cells_, triangles, pieces);
   find_bare_cells(faces_, numbering_, *arrangement_, triangles, pieces);
-  const bool forbids = std::any_of(options_.joins.begin(), options_.joins.end(), [](const auto& j) { return !j.join; });
+  const bool forbids =
+      std::any_of(options_.joins.begin(), options_.joins.end(), [](const auto& j) { return !j.join; });
+  const bool keeps = options_.natural.cavity_confidence <= -1;
   for (Piece& piece : pieces) {
     if (piece.bodies.size() > kMostCellsOfBody || forbids) piece.bodies.clear();
-    for (const auto& [cell, name] : piece.bodies) cells_[cell].asked.questions.bodies.push_back(name);
-    for (const auto& [cell, facet] : piece.cavities) cells_[cell].asked.questions.cavities.push_back(facet);
+    if (keeps) piece.cavities.clear();
   }
-  for (CellState& cell : cells_) cell.due = !cell.asked.questions.empty();
+  return pieces;
+}
+
+/// Asks, decides, and lets the cells that have to change be pruned once more.
+Result<Done> Pipeline::look_again() {
+  const auto pieces = find_pieces();
+  if (!pieces) return pieces.error();
+  if (pieces->empty()) return Done{};
+  put_questions(*pieces, cells_);
   if (auto done = prune_due_cells(); !done) return done;
-  TopologyReport& report = result_.report.topology;
-  for (const Piece& piece : pieces) {
-    const std::uint32_t join_in =
-        cell_to_join_in(told_of_body(piece, cells_), as_integer(options_.natural.alone_confidence));
-    if (join_in != kNone) {
-      cells_[join_in].asked.joined.push_back(piece.bodies.at(join_in));
-      ++report.bodies_joined;
-    }
-    const auto opened = to_be_opened(told_of_cavity(piece, cells_), faces_, as_integer(options_.natural.dome_confidence));
-    for (const auto& t : opened) cells_[t.cell].asked.opened.push_back({t.answer.from, t.answer.to});
-    report.cavities_opened += opened.empty() ? 0U : 1U;
-  }
-  bool changed = false;
-  for (CellState& cell : cells_) {
-    cell.asked.questions = {};
-    cell.due = !cell.asked.joined.empty() || !cell.asked.opened.empty();
-    changed |= cell.due;
-  }
-  if (!changed) return Done{};
+  if (!put_requests(*pieces, faces_, options_.natural, cells_, result_.report.topology)) return Done{};
   remove_bridges();
   if (auto done = prune_due_cells(); !done) return done;
   build_bridges();
