@@ -94,16 +94,18 @@ ExitCode run(Arguments arguments) {
 }
 
 void add_natural_options(CLI::App& command, NaturalOptions& natural) {
-  command
-      .add_option("--join-confidence", natural.join_confidence,
-                  "natural: sections are joined where the best way between them is this sure, -1 to 1")
-      ->capture_default_str()
-      ->check(CLI::Range(-1.0, 1.0));
-  command
-      .add_option("--dome-confidence", natural.dome_confidence,
-                  "natural: a hole in a section is closed over where its dome is this sure, -1 to 1")
-      ->capture_default_str()
-      ->check(CLI::Range(-1.0, 1.0));
+  const auto add_confidence = [&](const char* name, double& value, const char* help) {
+    command.add_option(name, value, help)->capture_default_str()->check(CLI::Range(-1.0, 1.0));
+  };
+  add_confidence("--join-confidence", natural.join_confidence,
+                 "natural: sections are joined where the best way between them is this sure, -1 to 1");
+  add_confidence("--dome-confidence", natural.dome_confidence,
+                 "natural: a hole in a section is closed over where its dome is this sure, -1 to 1");
+  add_confidence(
+      "--alone-confidence", natural.alone_confidence,
+      "natural: a small body that nothing is joined with is joined where the way is this sure, -1 to 1");
+  add_confidence("--cavity-confidence", natural.cavity_confidence,
+                 "natural: a cavity is opened where a wall of it is less sure, -1 to 1; -1: never");
   command
       .add_option("--smooth-weight", natural.smooth_weight,
                   "natural: weight of a small surface against a likely volume")

@@ -64,6 +64,10 @@ Json to_json(const TopologyReport& t) {
           {"joins", t.joins},
           {"refused_joins", t.refused_joins},
           {"weakest_join", t.weakest_join},
+          {"bodies_joined", t.bodies_joined},
+          {"cavities_opened", t.cavities_opened},
+          {"bridges", t.bridges},
+          {"open_edges", t.open_edges},
           {"walls", t.walls},
           {"voids", t.voids}};
 }
@@ -79,6 +83,8 @@ const char* branching_name(Branching mode) {
 Json to_json(const Options& o) {
   return {{"join_confidence", o.natural.join_confidence},
           {"dome_confidence", o.natural.dome_confidence},
+          {"alone_confidence", o.natural.alone_confidence},
+          {"cavity_confidence", o.natural.cavity_confidence},
           {"smooth_weight", o.natural.smooth_weight},
           {"branching", branching_name(o.branching.mode)},
           {"cutting", o.branching.cutting},

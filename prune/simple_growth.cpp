@@ -5,6 +5,7 @@
 #include <queue>
 
 #include "contact.h"
+#include "disjoint_sets.h"
 #include "outside.h"
 #include "star.h"
 
@@ -100,6 +101,7 @@ class SimpleGrowth {
   }
 
   bool try_add(std::uint32_t t, bool domes) {
+    if (!open_.empty() && parts_what_stays_open(t)) return false;
     const Contact contact = solid_.contact(t);
     if (!contact.is_simple() && !contact.is_plug()) {
       if (contact.is_dome()) {
@@ -184,16 +186,49 @@ class SimpleGrowth {
   bool may_close(std::uint32_t t, const Contact& contact) {
     const bool sure = confidence_[t] >= limits_.dome || stands_on_section(complex_, t);
     for (const std::uint32_t start : solid_.outside_around(t, contact)) {
-      bool parts_open = false;
-      const Opening opening = opening_from(start, t, parts_open);
-      if (parts_open || opening == Opening::none || (opening == Opening::hole && !sure)) return false;
+      const Opening opening = opening_from(start, t);
+      if (opening == Opening::none || (opening == Opening::hole && !sure)) return false;
     }
     return true;
   }
 
+  /// Whether the outside tetrahedra that share edges with t hang together without it, around these edges and
+  /// across facets: then it is no link between any two of them.
+  bool is_bypassed(std::uint32_t t) const {
+    std::vector<std::array<std::uint32_t, 2>> around;  // tetrahedron, edge
+    for (unsigned corner = 4; corner < kCorners; ++corner)
+      visit_around_edge(complex_.mesh, t, corner, [&](std::uint32_t n) {
+        if (!solid_.has(n)) around.push_back({n, corner});
+      });
+    std::sort(around.begin(), around.end());
+    DisjointSets groups(around.size());
+    for (std::uint32_t i = 0; i < around.size(); ++i)
+      for (std::uint32_t j = 0; j < i; ++j) {
+        const auto& neighbours = complex_.mesh.neighbours[around[i][0]];
+        if (around[i][0] == around[j][0] || around[i][1] == around[j][1] ||
+            std::find(neighbours.begin(), neighbours.end(), around[j][0]) != neighbours.end())
+          groups.join(i, j);
+      }
+    for (std::uint32_t i = 1; i < around.size(); ++i)
+      if (groups.find(i) != 0) return false;
+    return true;
+  }
+
+  /// Whether t is the last link between two tetrahedra that are to stay connected outside. Simple moves can
+  /// part them too: what is left is of no width then, at the end of a section.
+  bool parts_what_stays_open(std::uint32_t t) {
+    if (is_bypassed(t)) return false;
+    std::vector<std::uint8_t> solid = solid_.kept();
+    solid[t] = 1;
+    return std::any_of(open_.begin(), open_.end(), [&](const auto& pair) {
+      const OutsidePart part = outside_part(complex_, solid, pair[0]);
+      return std::find(part.tets.begin(), part.tets.end(), pair[1]) == part.tets.end();
+    });
+  }
+
   /// Breadth first through the outside, not through the dome; across edges too, where gluing leaves it
   /// connected. A part of allowed tetrahedra alone can still be filled: it counts as wide.
-  Opening opening_from(std::uint32_t start, std::uint32_t dome, bool& parts_open) {
+  Opening opening_from(std::uint32_t start, std::uint32_t dome) {
     std::vector<std::uint32_t> seen{start};
     visited_.resize(complex_.mesh.size());
     visited_[start] = visited_[dome] = 1;
@@ -204,13 +239,12 @@ class SimpleGrowth {
       visited_[t] = 1;
       seen.push_back(t);
     };
-    for (std::size_t head = 0; head < seen.size() && (opening.kind() != Opening::wide || !open_.empty()); ++head) {
+    for (std::size_t head = 0; head < seen.size() && opening.kind() != Opening::wide; ++head) {
       const std::uint32_t t = seen[head];
       opening.add(t);
       fillable &= rank_[t] != kNone;
       for (unsigned corner = 4; corner < kCorners; ++corner) visit_around_edge(complex_.mesh, t, corner, see);
     }
-    for (const auto& [from, to] : open_) parts_open |= visited_[from] != visited_[to];
     for (const std::uint32_t t : seen) visited_[t] = 0;
     visited_[dome] = 0;
     return fillable ? Opening::wide : opening.kind();
@@ -243,7 +277,7 @@ class SimpleGrowth {
   std::vector<std::uint32_t> vertex_of_body_;                      ///< by body: its smallest section vertex
   std::vector<std::array<std::vector<std::uint32_t>, 2>> wished_;  ///< by wish and side: ground triangles
   std::priority_queue<std::uint32_t, std::vector<std::uint32_t>, std::greater<>> queue_;
-  std::vector<std::uint32_t> put_off_;  ///< ranks
+  std::vector<std::uint32_t> put_off_;              ///< ranks
   std::vector<std::array<std::uint32_t, 2>> open_;  ///< tetrahedra not to be parted by a wall
   GrowthResult result_;
 };

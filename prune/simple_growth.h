@@ -43,8 +43,8 @@ struct OpenRequest {
 struct GrowthLimits {
   std::int32_t join = 0;  ///< confidence that a join needs
   std::int32_t dome = 0;  ///< and a dome
-  std::span<const JoinWish> wishes;
-  std::span<const OpenRequest> open;
+  std::span<const JoinWish> wishes = {};
+  std::span<const OpenRequest> open = {};
 };
 
 struct GrowthResult {

@@ -55,8 +55,9 @@ Surface assemble_surface(const GluedSurface& glued, const Numbering& numbering, 
   return surface;
 }
 
-Sections assemble_sections(const FramedSections& framed, const SectionGraph& graph, const Arrangement& arrangement,
-                           std::span<const FaceTriangulation> faces, const Numbering& numbering) {
+Sections assemble_sections(const FramedSections& framed, const SectionGraph& graph,
+                           const Arrangement& arrangement, std::span<const FaceTriangulation> faces,
+                           const Numbering& numbering) {
   struct Piece {
     std::uint32_t a, b;
     const Wall* wall;
@@ -81,7 +82,8 @@ Sections assemble_sections(const FramedSections& framed, const SectionGraph& gra
     }
     std::sort(used.begin(), used.end());
     used.erase(std::unique(used.begin(), used.end()), used.end());
-    for (const std::uint32_t v : used) plane.vertices.push_back(framed.grid.from_lattice(numbering.points[v]));
+    for (const std::uint32_t v : used)
+      plane.vertices.push_back(framed.grid.from_lattice(numbering.points[v]));
     std::sort(pieces[p].begin(), pieces[p].end(),
               [](const Piece& x, const Piece& y) { return x.a != y.a ? x.a < y.a : x.b < y.b; });
     const auto local = [&](std::uint32_t v) {

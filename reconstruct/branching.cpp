@@ -14,8 +14,8 @@
 namespace crossloft {
 namespace {
 
-/// Distance between samples, in mean contour edges at the two sites. In the scenes of one circle under several,
-/// 1 to 3 gave the same volume within 2 %; at 4 pieces of sections stayed bare.
+/// Distance between samples, in mean contour edges at the two sites. In the scenes of one circle under
+/// several, 1 to 3 gave the same volume within 2 %; at 4 pieces of sections stayed bare.
 constexpr double kSpacing = 2;
 /// Distance of samples from the section's border, in the same edges: nearer ones would break up contour
 /// edges.

@@ -64,7 +64,8 @@ void CellBuilder::sort_vertices(const CellTriangulation& triangulation) {
 /// Triangles as numbers in the cell; edges as their kind.
 GroundedTable CellBuilder::fill_table() const {
   std::size_t count = 0;
-  for (const CellFace& face : faces_) count += face.triangulation->triangles.size() + face.triangulation->edges.size();
+  for (const CellFace& face : faces_)
+    count += face.triangulation->triangles.size() + face.triangulation->edges.size();
   GroundedTable table(count);
   for (std::size_t f = 0; f < faces_.size(); ++f) {
     const FaceTriangulation& face = *faces_[f].triangulation;
@@ -84,8 +85,9 @@ EdgeKind CellBuilder::edge_kind(std::uint32_t a, std::uint32_t b, GroundedTable&
   if (shared == 0) return EdgeKind::free;
   if (const std::uint32_t kind = table.find({a, b, kNone}); kind != kNone) return static_cast<EdgeKind>(kind);
   // Only a face whose vertices span no area has an edge outside its triangulation.
-  return shared >= 2 ? line_edges_.kind(graph_vertex_of_[cell_.vertices[a]], graph_vertex_of_[cell_.vertices[b]])
-                     : EdgeKind::external;
+  return shared >= 2
+             ? line_edges_.kind(graph_vertex_of_[cell_.vertices[a]], graph_vertex_of_[cell_.vertices[b]])
+             : EdgeKind::external;
 }
 
 /// False if the hull facets on the faces are not the faces' triangles.
@@ -126,9 +128,11 @@ Result<BuiltCell> CellBuilder::run(const CellTriangulation& triangulation) {
   cell_.delaunay_seconds = triangulation.seconds();
   triangle_base_.push_back(0);
   for (const CellFace& face : faces_)
-    triangle_base_.push_back(triangle_base_.back() + static_cast<std::uint32_t>(face.triangulation->triangles.size()));
+    triangle_base_.push_back(triangle_base_.back() +
+                             static_cast<std::uint32_t>(face.triangulation->triangles.size()));
   GroundedTable table = fill_table();
-  if (!classify(table)) return make_error(ErrorCode::internal, "a cell's hull differs from its face triangulations");
+  if (!classify(table))
+    return make_error(ErrorCode::internal, "a cell's hull differs from its face triangulations");
   return std::move(cell_);
 }
 

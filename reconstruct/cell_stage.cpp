@@ -130,8 +130,7 @@ Result<Done> Pipeline::prune_cell(CellId id, CellState& state) {
   state.delaunay_seconds = cell.delaunay_seconds;
   state.ground = ground_under(cell, pruned.kept);
   state.answers = by_final_numbers(std::move(pruned.answers), ids, cell);
-  if (options_.mode == PruneMode::natural)
-    state.bridges = find_bridges(cell, pruned.kept, numbering_.points);
+  if (options_.mode == PruneMode::natural) state.bridges = find_bridges(cell, pruned.kept, numbering_.points);
   // Natural may leave a section no more than a spike that no solid subset would have: it lacks samples even
   // so.
   const bool ask_joint = samples_may_come_ && options_.mode == PruneMode::natural;
@@ -240,7 +239,8 @@ void Pipeline::finish_cells() {
     add_up(cell.report, report.topology);
     report.seconds.delaunay += cell.delaunay_seconds;
     report.seconds.pruning += cell.pruning_seconds;
-    for (const auto* list : {&cell.tets, &cell.bridge_tets}) tets_.insert(tets_.end(), list->begin(), list->end());
+    for (const auto* list : {&cell.tets, &cell.bridge_tets})
+      tets_.insert(tets_.end(), list->begin(), list->end());
     if (observer_) observer_->on_cell(CellId{c}, cell.built, cell.pruned);
   }
   cells_.clear();

@@ -7,7 +7,8 @@
 namespace crossloft {
 
 FaceSplitter::FaceSplitter(const SectionGraph& graph, const Arrangement& arrangement, FaceId face,
-                           std::uint32_t plane, std::span<const Wall> walls, std::vector<LatticePoint>& points)
+                           std::uint32_t plane, std::span<const Wall> walls,
+                           std::vector<LatticePoint>& points)
     : plane_(graph.planes[plane]), face_(graph, arrangement, face), walls_(walls), points_(&points) {}
 
 /// No vertex in the triangle a, b, c but its corners: replacing ab by ac, cb then crosses no contour.

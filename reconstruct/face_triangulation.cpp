@@ -48,7 +48,9 @@ class WallTable {
     return it != walls_.end() && it->a == key.a && it->b == key.b ? &*it : nullptr;
   }
   /// Whether the section is on the left of the directed edge; REQUIRES find(a, b).
-  static bool inside_left(const Wall& wall, std::uint32_t from) { return wall.inside_left == (wall.a == from); }
+  static bool inside_left(const Wall& wall, std::uint32_t from) {
+    return wall.inside_left == (wall.a == from);
+  }
 
  private:
   static Wall reversed(Wall wall) {
@@ -122,14 +124,17 @@ Result<Done> FaceBuilder::conform_to_walls(Delaunay2<LatticePredicates2>& tri) {
     return Error{ErrorCode::internal,
                  conformed.limit_reached ? "a contour edge needs too many splits to become a Delaunay edge"
                                          : "a contour edge could not be made a Delaunay edge",
-                 {}, wall.line, wall.source_plane, wall.contour};
+                 {},
+                 wall.line,
+                 wall.source_plane,
+                 wall.contour};
   }
   result_.added.assign(points_.begin() + static_cast<std::ptrdiff_t>(input_.vertices.size()), points_.end());
   return Done{};
 }
 
-/// Inside or not, for a triangle without a wall: its region has none, so its edges run through the open section or
-/// outside it.
+/// Inside or not, for a triangle without a wall: its region has none, so its edges run through the open
+/// section or outside it.
 bool FaceBuilder::seed(std::uint32_t triangle) const {
   const auto& v = mesh_.vertices[triangle];
   return locator_.inside_toward(points_[v[0]], points_[v[1]]);
@@ -181,9 +186,9 @@ void FaceBuilder::collect_edges() {
     for (std::uint32_t i = 0; i < 3; ++i) {
       if (const std::uint32_t n = mesh_.neighbours[t][i]; n != kNone && n < t) continue;
       const std::uint32_t a = mesh_.vertices[t][(i + 1) % 3], b = mesh_.vertices[t][(i + 2) % 3];
-      const EdgeKind kind = table_.find(a, b)           ? EdgeKind::contour
+      const EdgeKind kind = table_.find(a, b)          ? EdgeKind::contour
                             : result_.internal[t] != 0 ? EdgeKind::internal
-                                                        : EdgeKind::external;
+                                                       : EdgeKind::external;
       result_.edges.push_back({std::min(a, b), std::max(a, b), kind});
     }
 }
@@ -214,7 +219,8 @@ Result<FaceTriangulation> triangulate_face(const SectionGraph& graph, const Arra
 
 Result<FaceTriangulation> refine_face(const SectionGraph& graph, const Arrangement& arrangement,
                                       const SectionLocator& locator, const FaceInput& input,
-                                      const FaceTriangulation& coarse, std::span<const LatticePoint> samples) {
+                                      const FaceTriangulation& coarse,
+                                      std::span<const LatticePoint> samples) {
   FaceBuilder builder(graph, arrangement, locator, input);
   builder.start_from(coarse, samples);
   return builder.run();

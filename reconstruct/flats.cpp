@@ -34,8 +34,8 @@ std::uint32_t count_regions(std::vector<FlatEdge> edges, std::uint32_t triangles
 
 }  // namespace
 
-Flats measure_flats(std::span<const FaceTriangulation> faces, const Numbering& numbering, const WorldGrid& grid,
-                    std::size_t plane_count) {
+Flats measure_flats(std::span<const FaceTriangulation> faces, const Numbering& numbering,
+                    const WorldGrid& grid, std::size_t plane_count) {
   Flats flats;
   flats.planes.resize(plane_count);
   std::vector<FlatEdge> edges;
@@ -48,7 +48,8 @@ Flats measure_flats(std::span<const FaceTriangulation> faces, const Numbering& n
       for (std::size_t i = 0; i < 3; ++i) v[i] = numbering.of_face[f][face.triangles[t][i]];
       const Vec3 p = grid.from_lattice(numbering.points[v[0]]);
       const double area = norm(cross(grid.from_lattice(numbering.points[v[1]]) - p,
-                                     grid.from_lattice(numbering.points[v[2]]) - p)) / 2;
+                                     grid.from_lattice(numbering.points[v[2]]) - p)) /
+                          2;
       flats.planes[face.plane].section += area;
       if (face.covered[0][t] != 0 || face.covered[1][t] != 0) continue;
       flats.planes[face.plane].flat += area;

@@ -13,7 +13,8 @@ Numbering number_vertices(const SectionGraph& graph, std::span<const FaceTriangu
   for (std::uint32_t v = 0; v < graph.size(); ++v) items.push_back({graph.points[v], v, kNone, kNone});
   for (std::uint32_t f = 0; f < faces.size(); ++f)
     for (std::uint32_t s = 0; s < faces[f].added.size(); ++s)
-      items.push_back({faces[f].added[s], kNone, f, static_cast<std::uint32_t>(faces[f].vertices.size()) + s});
+      items.push_back(
+          {faces[f].added[s], kNone, f, static_cast<std::uint32_t>(faces[f].vertices.size()) + s});
   std::sort(items.begin(), items.end(),
             [](const Item& x, const Item& y) { return compare_lex(x.point, y.point) < 0; });
   Numbering numbering;
@@ -40,7 +41,8 @@ std::vector<std::uint32_t> renumbering(const Numbering& before, const Numbering&
   std::vector<std::uint32_t> number(before.points.size(), kNone);
   for (std::size_t v = 0; v < before.of_graph.size(); ++v) number[before.of_graph[v]] = after.of_graph[v];
   for (std::size_t f = 0; f < before.of_face.size(); ++f)
-    for (std::size_t v = 0; v < before.of_face[f].size(); ++v) number[before.of_face[f][v]] = after.of_face[f][v];
+    for (std::size_t v = 0; v < before.of_face[f].size(); ++v)
+      number[before.of_face[f][v]] = after.of_face[f][v];
   return number;
 }
 

@@ -13,7 +13,8 @@ bool parallel_for(std::size_t count, const Context& context, std::string_view st
   const auto drain = [&](bool reports) {
     for (std::size_t i; !context.cancelled() && (i = next.fetch_add(1, std::memory_order_relaxed)) < count;) {
       work(i);
-      if (reports) context.report(stage, static_cast<double>(std::min(count, next.load())) / static_cast<double>(count));
+      if (reports)
+        context.report(stage, static_cast<double>(std::min(count, next.load())) / static_cast<double>(count));
     }
   };
   const unsigned cores = std::max(1u, std::thread::hardware_concurrency());

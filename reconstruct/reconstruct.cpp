@@ -13,7 +13,8 @@ namespace {
 constexpr double kLargestCoordinate = 1e100;
 
 Result<Done> check_natural(const NaturalOptions& options) {
-  for (const double confidence : {options.join_confidence, options.dome_confidence})
+  for (const double confidence : {options.join_confidence, options.dome_confidence, options.alone_confidence,
+                                  options.cavity_confidence})
     if (!(confidence >= -1 && confidence <= 1))
       return make_error(ErrorCode::usage, "a confidence is between -1 and 1");
   if (!(options.smooth_weight >= 0 && options.smooth_weight <= kLargestSmoothWeight))

@@ -13,8 +13,8 @@ SectionConfinement::SectionConfinement(const SectionGraph& graph, std::span<cons
   };
   for (std::size_t f = 0; f < faces.size(); ++f)
     for (const Wall& w : faces[f].walls) add(numbering.of_face[f][w.a], numbering.of_face[f][w.b]);
-  // Walls on lines are never split. Those within faces are here twice, or whole and in pieces: holding a copy back
-  // for a whole one is needless at worst.
+  // Walls on lines are never split. Those within faces are here twice, or whole and in pieces: holding a copy
+  // back for a whole one is needless at worst.
   for (const auto& walls : graph.walls)
     for (const Wall& w : walls) add(numbering.of_graph[w.a], numbering.of_graph[w.b]);
   std::sort(contour_edges_.begin(), contour_edges_.end());

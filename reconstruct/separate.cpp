@@ -16,9 +16,7 @@ constexpr double kStep = 0.02;  ///< of the shortest edge at the copy
 constexpr int kHalvings = 4;
 constexpr int kDirectionRounds = 64;
 
-Bounds widened(Bounds box, double by) {
-  return {box.low - Vec3{by, by, by}, box.high + Vec3{by, by, by}};
-}
+Bounds widened(Bounds box, double by) { return {box.low - Vec3{by, by, by}, box.high + Vec3{by, by, by}}; }
 
 /// The closed tetrahedron contains p; its corners don't count, and a flat one contains nothing.
 bool holds(const std::array<Vec3, 4>& t, const Vec3& p) {
@@ -161,9 +159,9 @@ class Separator {
     return normals;
   }
 
-  /// A unit vector into the umbrella's cone: the mean of the spokes, turned towards the worst triangle again and
-  /// again (Rosenblatt's perceptron), so that all triangles have it on the same side if there is such a vector and
-  /// the rounds suffice; the best one met otherwise. Only a proposal, so rounding does no harm.
+  /// A unit vector into the umbrella's cone: the mean of the spokes, turned towards the worst triangle again
+  /// and again (Rosenblatt's perceptron), so that all triangles have it on the same side if there is such a
+  /// vector and the rounds suffice; the best one met otherwise. Only a proposal, so rounding does no harm.
   Vec3 direction(std::size_t k) const {
     const Vec3& from = points_[copies_[k]];
     Vec3 d, best;
@@ -178,9 +176,8 @@ class Separator {
       const double length = norm(d);
       if (length == 0) break;
       d = 1 / length * d;
-      const Vec3& worst = *std::min_element(sides.begin(), sides.end(), [&](const Vec3& x, const Vec3& y) {
-        return dot(x, d) < dot(y, d);
-      });
+      const Vec3& worst = *std::min_element(
+          sides.begin(), sides.end(), [&](const Vec3& x, const Vec3& y) { return dot(x, d) < dot(y, d); });
       if (dot(worst, d) > margin) margin = dot(worst, d), best = d;
       d = d + 0.25 * worst;
     }
@@ -204,7 +201,8 @@ class Separator {
     }
   }
 
-  /// What the umbrella sweeps on the way to `to`, a tetrahedron for each triangle: (old place, new place, a, b).
+  /// What the umbrella sweeps on the way to `to`, a tetrahedron for each triangle: (old place, new place, a,
+  /// b).
   std::vector<std::array<Vec3, 4>> sweep(std::size_t k, const Vec3& to) const {
     std::vector<std::array<Vec3, 4>> swept;
     for (const std::uint32_t t : umbrellas_.of(k)) {

@@ -21,14 +21,17 @@ using namespace crossloft::test;
 /// The defaults, or limits that some cells don't meet.
 NaturalOptions options_for(std::uint32_t seed) {
   NaturalOptions options;
-  if (seed % 3 == 1) options = {0.3, 0.3, 0.2};
-  if (seed % 3 == 2) options = {-1, 0.9, 3};
+  if (seed % 3 == 0) options.join_confidence = -0.1;
+  if (seed % 3 == 1) options.join_confidence = 0.3, options.dome_confidence = 0.3, options.smooth_weight = 0.2;
+  if (seed % 3 == 2) options.join_confidence = -1, options.dome_confidence = 0.9, options.smooth_weight = 3;
   return options;
 }
 
 PruneResult prune_cell(const PlacedCell& cell, const NaturalOptions& options,
                        std::span<const JoinWish> wishes = {}) {
-  return prune(cell.complex, cell.shape, {PruneMode::natural, options}, wishes);
+  CellRequests requests;
+  requests.wishes.assign(wishes.begin(), wishes.end());
+  return prune(cell.complex, cell.shape, {PruneMode::natural, options}, requests);
 }
 
 std::size_t count(const Flags& flags) {
@@ -141,7 +144,7 @@ TEST_CASE("verify_natural finds each kind of damage") {
   };
   CHECK(is_found([](PruneResult& r) { r.kept.pop_back(); }));
   CHECK(is_found([](PruneResult& r) { r.r3 = 2; }));
-  CHECK(is_found([](PruneResult& r) { r.r2 = 2; }));
+  CHECK(is_found([](PruneResult& r) { r.r2 = r.r1 + 1; }));
   CHECK(is_found([](PruneResult& r) { r.r1 = 2; }));
   CHECK(is_found([](PruneResult& r) { r.natural.after.bodies = 2; }));
   CHECK(is_found([](PruneResult& r) { r.kept[1] = 0, r.r3 = 2; }));  // not the reported topology

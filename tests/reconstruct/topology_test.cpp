@@ -118,11 +118,13 @@ TEST_CASE("options of natural and requests that make no sense are refused, with 
     return r.error();
   };
   for (const double bad : {-1.5, 1.5, static_cast<double>(NAN)}) {
-    Options join, dome;
-    join.natural.join_confidence = bad;
-    dome.natural.dome_confidence = bad;
-    refused(join);
-    refused(dome);
+    for (double NaturalOptions::*confidence :
+         {&NaturalOptions::join_confidence, &NaturalOptions::dome_confidence,
+          &NaturalOptions::alone_confidence, &NaturalOptions::cavity_confidence}) {
+      Options options;
+      options.natural.*confidence = bad;
+      refused(options);
+    }
   }
   for (const double bad : {-1.0, 1e10, static_cast<double>(INFINITY), static_cast<double>(NAN)}) {
     Options smooth;
