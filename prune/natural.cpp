@@ -48,7 +48,16 @@ class NaturalPruning {
   }
 
  private:
+  /// Where a cavity is opened, nothing that is not sure is built: else no more than a slit is left open. What
+  /// stands on a section goes too; there are the other side and bridges.
+  void drop_unsure(std::span<const std::int32_t> confidence, std::vector<std::uint8_t>& allowed) const {
+    const std::int32_t least = as_integer(options_.cavity_confidence);
+    for (std::uint32_t t = 0; t < allowed.size(); ++t)
+      if (confidence[t] < least) allowed[t] = 0;
+  }
+
   void grow(std::span<const std::int32_t> confidence, NaturalResult& result) const {
+    if (!requests_.opened.empty()) drop_unsure(confidence, result.kept);
     GrowthResult grown = grow_simply(complex_, ground_, result.kept, confidence, limits_);
     refill_cracks(complex_, ground_, result.kept, grown.kept);
     result.kept = std::move(grown.kept);

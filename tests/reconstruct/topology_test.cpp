@@ -97,7 +97,7 @@ TEST_CASE("two columns stay two; a request keeps even one column's ends apart") 
 
 TEST_CASE("a join below the wanted confidence is refused and reported, and a request overrides that") {
   Options strict;
-  strict.natural.join_confidence = 1;
+  strict.natural.join_confidence = strict.natural.alone_confidence = 1;
   const Sections sections = two_columns(1.5);
   const auto r = reconstruct(sections, strict);
   REQUIRE(r.ok());
@@ -107,6 +107,55 @@ TEST_CASE("a join below the wanted confidence is refused and reported, and a req
   const auto one = reconstruct(sections, strict);
   REQUIRE(one.ok());
   CHECK(one->report.topology.joins == 1);
+}
+
+TEST_CASE("a finger ring with a large stone: its hole is no cavity") {
+  // Two planes through the band, two through the stone: from the stone's tips all of the hole is closed over.
+  const auto field = [](const Vec3& p) {
+    const double out = norm({p.x - 1.9, p.y, 0}) - 1.17;
+    return std::min(norm(p) - 0.75, norm({out, p.z, 0}) - 0.13);
+  };
+  Bounds box;
+  box.add(Vec3{-0.9, -1.6, -1.6});
+  box.add(Vec3{3.3, 1.6, 1.6});
+  const Surface mesh = implicit_solid(field, box, 60);
+  const std::vector<CuttingPlane> planes{
+      {{-0.104, 0, 0.995}, 0.19}, {{0.104, 0, 0.995}, -0.19}, {{-0.707, -0.707, 0}, 0}, {{0.707, -0.707, 0}, 0}};
+  Options closed;
+  closed.natural.cavity_confidence = -1;
+  CHECK(check_surface(cut_and_rebuild(mesh, planes, closed).surface).cavities == 1);
+  const Reconstruction r = cut_and_rebuild(mesh, planes);
+  const CheckReport report = check_surface(r.surface);
+  CHECK(report.genus == 1);
+  CHECK(report.cavities == 0);
+  CHECK(report.components.size() == 1);
+  CHECK(report.crossings == 0);
+  CHECK(r.report.topology.cavities_opened == 1);
+  CHECK(r.report.flat_area == 0);
+}
+
+TEST_CASE("tips of bumps that few planes meet are joined, bubbles at tips of dents opened") {
+  const Surface mesh = genus2_solid(32);
+  Options without;
+  without.natural.alone_confidence = 1;
+  without.natural.cavity_confidence = -1;
+  std::uint32_t joined = 0, opened = 0;
+  for (const std::uint64_t seed : {1u, 30u, 59u}) {
+    CAPTURE(seed);
+    const auto planes = random_planes(bounds_of(mesh.points), 24, seed);
+    const Reconstruction before = cut_and_rebuild(mesh, planes, without), r = cut_and_rebuild(mesh, planes);
+    const TopologyReport& topology = r.report.topology;
+    CHECK(check_surface(before.surface).components.size() ==
+          1 + topology.bodies_joined + topology.cavities_opened);
+    const CheckReport report = check_surface(r.surface);
+    CHECK(report.components.size() == 1);
+    CHECK(topology.handles == 0);
+    CHECK(topology.voids == 0);
+    joined += topology.bodies_joined;
+    opened += topology.cavities_opened;
+  }
+  CHECK(joined > 0);
+  CHECK(opened > 0);
 }
 
 TEST_CASE("options of natural and requests that make no sense are refused, with plane and contour") {
