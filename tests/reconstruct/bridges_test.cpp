@@ -1,0 +1,388 @@
+/// Bridges: the pieces by themselves, cell by cell, and what the whole solid owes to them.
+#include "../../reconstruct/bridges.h"
+
+#include <array>
+#include <functional>
+#include <map>
+#include <set>
+
+#include "../../inspect/check.h"
+#include "../../inspect/slice.h"
+#include "../../inspect/solids.h"
+#include "../../prune/star.h"
+#include "../../reconstruct/observer.h"
+#include "../arrangement/polygon_sections.h"
+#include "scenes.h"
+
+using namespace crossloft;
+using namespace crossloft::test;
+
+namespace {
+
+using Tet = std::array<std::uint32_t, 4>;
+using Triangle = std::array<std::uint32_t, 3>;
+using Edge = std::array<std::uint32_t, 2>;
+
+template <std::size_t N>
+std::array<std::uint32_t, N> ascending(std::array<std::uint32_t, N> s) {
+  std::sort(s.begin(), s.end());
+  return s;
+}
+
+Triangle facet_of(const Tet& t, unsigned i) {
+  return ascending(Triangle{t[kFacetSlots[i][0]], t[kFacetSlots[i][1]], t[kFacetSlots[i][2]]});
+}
+
+Edge edge_of(const Tet& t, unsigned e) { return ascending(Edge{t[kEdgeSlots[e][0]], t[kEdgeSlots[e][1]]}); }
+
+template <std::size_t N>
+bool has(const std::array<std::uint32_t, N>& simplex, const Edge& edge) {
+  return std::count(simplex.begin(), simplex.end(), edge[0]) == 1 &&
+         std::count(simplex.begin(), simplex.end(), edge[1]) == 1;
+}
+
+class Groups {
+ public:
+  explicit Groups(std::size_t size) {
+    for (std::size_t i = 0; i < size; ++i) group_.push_back(i);
+  }
+  void put_together(std::size_t a, std::size_t b) {
+    const std::size_t low = std::min(group_[a], group_[b]), high = std::max(group_[a], group_[b]);
+    std::replace(group_.begin(), group_.end(), high, low);
+  }
+  std::size_t of(std::size_t x) const { return group_[x]; }
+  std::size_t count() const { return std::set<std::size_t>(group_.begin(), group_.end()).size(); }
+
+ private:
+  std::vector<std::size_t> group_;
+};
+
+/// What an observer sees of the faces, all cells, and the solid. Points are alive only during the call.
+struct Shown {
+  std::vector<FaceTriangulation> faces;
+  std::vector<std::vector<std::uint32_t>> face_numbers;
+  std::vector<BuiltCell> cells;
+  std::vector<std::vector<std::uint8_t>> kept;
+  std::vector<Tet> solid;
+  std::span<const LatticePoint> points;
+
+  /// Calls visit(triangle, kinds of its sides by edge) for the section triangles, by final numbers.
+  template <class Visit>
+  void for_section_triangles(Visit&& visit) const {
+    for (std::size_t f = 0; f < faces.size(); ++f)
+      for (std::size_t t = 0; t < faces[f].triangles.size(); ++t) {
+        const auto& v = faces[f].triangles[t];
+        const auto& n = face_numbers[f];
+        if (faces[f].internal[t] != 0) visit(ascending(Triangle{n[v[0]], n[v[1]], n[v[2]]}));
+      }
+  }
+  /// The edges inside sections, on the lines of planes too.
+  std::set<Edge> inner_edges() const {
+    std::set<Edge> edges;
+    for (std::size_t f = 0; f < faces.size(); ++f)
+      for (const FaceEdge& e : faces[f].edges)
+        if (e.kind == EdgeKind::internal)
+          edges.insert(ascending(Edge{face_numbers[f][e.a], face_numbers[f][e.b]}));
+    return edges;
+  }
+};
+
+class Watcher : public Observer {
+ public:
+  explicit Watcher(std::function<void(const Shown&)> check) : check_(std::move(check)) {}
+  void on_face(const FaceTriangulation& face, const Numbering& numbering) override {
+    shown_.faces.push_back(face);
+    shown_.face_numbers.push_back(numbering.of_face[face.face.value]);
+  }
+  void on_cell(CellId, const BuiltCell& cell, const PruneResult& pruned) override {
+    shown_.cells.push_back(cell);
+    shown_.kept.push_back(pruned.kept);
+  }
+  void on_solid(std::span<const Tet> solid, const Numbering& numbering) override {
+    shown_.solid.assign(solid.begin(), solid.end());
+    shown_.points = numbering.points;
+    check_(shown_);
+  }
+
+ private:
+  std::function<void(const Shown&)> check_;
+  Shown shown_;
+};
+
+Reconstruction run(const Sections& sections, const std::function<void(const Shown&)>& check = {},
+                   const Options& options = {}) {
+  Watcher watcher(check);
+  auto r = reconstruct(sections, options, {}, check ? &watcher : nullptr);
+  REQUIRE(r.ok());
+  return std::move(r).value();
+}
+
+struct Scene {
+  std::string name;
+  Sections sections;
+};
+
+Sections cut(const Surface& mesh, std::vector<CuttingPlane> planes) {
+  auto sections = slice(mesh, planes);
+  REQUIRE(sections.ok());
+  return std::move(sections).value();
+}
+
+Sections cut_randomly(const Surface& mesh, std::uint32_t count, std::uint64_t seed) {
+  return cut(mesh, random_planes(bounds_of(mesh.points), count, seed));
+}
+
+std::vector<Scene> small_scenes() {
+  return {{"fig18", load("figures/fig18.contour")},
+          {"fig20", load("figures/fig20.contour")},
+          {"link", load("topology/link.contour")},
+          {"torus by 8", cut_randomly(torus(1, 0.4, 20, 10), 8, 1)},
+          {"vessel by 9", cut_randomly(vessel_solid(14), 9, 3)},
+          {"genus 2 by 7 about a line",
+           cut(genus2_solid(14), rotational_planes(bounds_of(genus2_solid(14).points), 7))}};
+}
+
+/// One cell with the pieces of its bridges and where all points are.
+struct CellCase {
+  const BuiltCell& cell;
+  std::vector<std::uint8_t> kept;
+  std::span<const LatticePoint> points;
+  CellBridges bridges;
+
+  CellCase(const BuiltCell& of, std::vector<std::uint8_t> keep, std::span<const LatticePoint> at)
+      : cell(of), kept(std::move(keep)), points(at), bridges(find_bridges(cell, kept, points)) {}
+
+  const LatticePoint& point(std::uint32_t v) const {
+    return v < kFirstBridgePoint ? points[v] : bridges.points[v - kFirstBridgePoint];
+  }
+  Tet tet(std::size_t t) const {
+    Tet numbers = cell.complex.mesh.vertices[t];
+    for (std::uint32_t& v : numbers) v = cell.vertices[v];
+    return numbers;
+  }
+  std::vector<Tet> tets(bool are_kept) const {
+    std::vector<Tet> list;
+    for (std::size_t t = 0; t < kept.size(); ++t)
+      if ((kept[t] != 0) == are_kept) list.push_back(tet(t));
+    return list;
+  }
+  /// All pieces once, ascending.
+  std::vector<Tet> pieces() const {
+    std::set<Tet> all;
+    for (const Bridge& b : bridges.bridges) all.insert(b.pieces.begin(), b.pieces.end());
+    return {all.begin(), all.end()};
+  }
+};
+
+/// What natural kept of the cell; some of R1, which breaks more; nothing.
+std::vector<std::vector<std::uint8_t>> solids(const BuiltCell& cell, const std::vector<std::uint8_t>& natural,
+                                              std::mt19937& random) {
+  std::vector<std::vector<std::uint8_t>> list{natural, std::vector<std::uint8_t>(natural.size(), 0)};
+  for (const std::uint32_t share : {9U, 6U}) {
+    std::vector<std::uint8_t>& some = list.emplace_back();
+    for (std::size_t t = 0; t < natural.size(); ++t) {
+      const auto& edges = cell.complex.edges[t];
+      const auto& facets = cell.complex.facets[t];
+      some.push_back(std::count(edges.begin(), edges.end(), EdgeKind::external) == 0 &&
+                     std::count(facets.begin(), facets.end(), FacetKind::external) == 0 &&
+                     random() % 10 < share);
+    }
+  }
+  return list;
+}
+
+void for_cells(const std::vector<Scene>& scenes, const std::function<void(const CellCase&)>& check) {
+  for (const Scene& scene : scenes) {
+    CAPTURE(scene.name);
+    run(scene.sections, [&](const Shown& shown) {
+      for (std::size_t c = 0; c < shown.cells.size(); ++c) {
+        CAPTURE(c);
+        std::mt19937 random(static_cast<std::uint32_t>(c));
+        for (const auto& kept : solids(shown.cells[c], shown.kept[c], random))
+          check(CellCase(shown.cells[c], kept, shown.points));
+      }
+    });
+  }
+}
+
+/// True iff the boxes around the corners have no common interior: a quick reason to be apart.
+bool boxes_apart(const CellCase& c, const Tet& s, const Tet& t) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto [s0, s1] =
+        std::minmax({c.point(s[0])[axis], c.point(s[1])[axis], c.point(s[2])[axis], c.point(s[3])[axis]});
+    const auto [t0, t1] =
+        std::minmax({c.point(t[0])[axis], c.point(t[1])[axis], c.point(t[2])[axis], c.point(t[3])[axis]});
+    if (s1 < t0 || t1 < s0) return true;
+  }
+  return false;
+}
+
+/// Exact: two tetrahedra have no common interior point iff the plane through three of their corners has them
+/// on different sides. (Planes between them form a cone; its extreme rays touch three independent corners.)
+bool apart(const CellCase& c, const Tet& s, const Tet& t) {
+  if (boxes_apart(c, s, t)) return true;
+  std::set<std::uint32_t> both(s.begin(), s.end());
+  both.insert(t.begin(), t.end());
+  const std::vector<std::uint32_t> v(both.begin(), both.end());
+  const auto sides = [&](const Tet& of, std::size_t i, std::size_t j, std::size_t k) {
+    std::array<int, 2> range{0, 0};
+    for (const std::uint32_t x : of) {
+      const int side = orient3d(c.point(v[i]), c.point(v[j]), c.point(v[k]), c.point(x));
+      range[0] = std::min(range[0], side), range[1] = std::max(range[1], side);
+    }
+    return range;
+  };
+  for (std::size_t i = 0; i < v.size(); ++i)
+    for (std::size_t j = i + 1; j < v.size(); ++j)
+      for (std::size_t k = j + 1; k < v.size(); ++k) {
+        const auto a = sides(s, i, j, k), b = sides(t, i, j, k);
+        if (a == std::array{0, 0} || b == std::array{0, 0}) continue;
+        if ((a[1] == 0 && b[0] == 0) || (a[0] == 0 && b[1] == 0)) return true;
+      }
+  return false;
+}
+
+}  // namespace
+
+TEST_CASE("the exact test of the tests: tetrahedra apart, touching and overlapping") {
+  const BuiltCell none;
+  std::vector<LatticePoint> points;
+  for (const LatticeVector& p : {LatticeVector{0, 0, 0},
+                                 {4, 0, 0},
+                                 {0, 4, 0},
+                                 {0, 0, 4},
+                                 {0, 0, -4},
+                                 {1, 1, 1},
+                                 {4, 4, 4},
+                                 {9, 9, 9},
+                                 {1, 1, -5}})
+    points.push_back(make_point(p));
+  const CellCase c(none, {}, points);
+  CHECK(apart(c, {0, 1, 2, 3}, {0, 1, 2, 4}));
+  CHECK(apart(c, {0, 1, 2, 3}, {1, 2, 3, 6}));
+  CHECK(!apart(c, {0, 1, 2, 3}, {0, 1, 2, 5}));
+  CHECK(!apart(c, {0, 1, 2, 3}, {0, 1, 2, 3}));
+  CHECK(!apart(c, {0, 1, 2, 3}, {5, 6, 7, 8}));
+}
+
+TEST_CASE("pieces are positively oriented, apart from each other and from what is kept") {
+  std::size_t pieces_seen = 0, shared = 0, bridges = 0;
+  for_cells(small_scenes(), [&](const CellCase& c) {
+    const std::vector<Tet> pieces = c.pieces();
+    std::set<Tet> as_sets;
+    for (const Tet& p : pieces) {
+      CHECK(orient3d(c.point(p[0]), c.point(p[1]), c.point(p[2]), c.point(p[3])) > 0);
+      CHECK(as_sets.insert(ascending(p)).second);  // told in one order by all bridges
+    }
+    std::size_t told = 0;
+    for (const Bridge& b : c.bridges.bridges) {
+      told += b.pieces.size();
+      bridges += b.pieces.empty() ? 0U : 1U;
+      CHECK(std::set<Tet>(b.pieces.begin(), b.pieces.end()).size() == b.pieces.size());
+    }
+    shared += told - pieces.size();
+    pieces_seen += pieces.size();
+    std::size_t overlaps = 0;
+    for (std::size_t i = 0; i < pieces.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j) overlaps += apart(c, pieces[i], pieces[j]) ? 0U : 1U;
+    for (const Tet& t : c.tets(true))
+      for (const Tet& p : pieces) overlaps += apart(c, p, t) ? 0U : 1U;
+    CHECK(overlaps == 0);
+  });
+  MESSAGE(bridges << " bridges of " << pieces_seen << " pieces, " << shared << " of them told again");
+  CHECK(bridges > 300);
+  CHECK(shared > 50);
+}
+
+TEST_CASE("bridge points are strictly within the cell") {
+  std::size_t seen = 0;
+  for_cells(small_scenes(), [&](const CellCase& c) {
+    std::set<std::uint32_t> used;
+    for (const Tet& p : c.pieces())
+      for (const std::uint32_t v : p)
+        if (v >= kFirstBridgePoint) used.insert(v);
+    seen += used.size();
+    std::size_t outside = 0;
+    for (std::size_t t = 0; t < c.kept.size(); ++t)
+      for (unsigned i = 0; i < 4; ++i) {
+        if (c.cell.complex.mesh.neighbours[t][i] != kNone) continue;
+        // Within the hull of the section vertices, so within the cell.
+        for (const std::uint32_t v : used) {
+          Tet moved = c.tet(t);
+          moved[i] = v;
+          const int side =
+              orient3d(c.point(moved[0]), c.point(moved[1]), c.point(moved[2]), c.point(moved[3]));
+          outside += side > 0 ? 0U : 1U;
+        }
+      }
+    CHECK(outside == 0);
+  });
+  CHECK(seen > 300);
+}
+
+TEST_CASE("a piece is at its edge, on nothing outside of a section, and within what is not kept") {
+  for_cells(small_scenes(), [](const CellCase& c) {
+    std::set<Edge> outside_edges;
+    std::set<Triangle> outside_triangles;
+    for (std::size_t t = 0; t < c.kept.size(); ++t) {
+      for (unsigned e = 0; e < 6; ++e)
+        if (c.cell.complex.edges[t][e] == EdgeKind::external) outside_edges.insert(edge_of(c.tet(t), e));
+      for (unsigned i = 0; i < 4; ++i)
+        if (c.cell.complex.facets[t][i] == FacetKind::external)
+          outside_triangles.insert(facet_of(c.tet(t), i));
+    }
+    for (const Bridge& b : c.bridges.bridges) {
+      CHECK(b.edge[0] < b.edge[1]);
+      CHECK(b.edge[1] < kFirstBridgePoint);
+      for (const Tet& p : b.pieces) {
+        CHECK(has(p, b.edge));
+        for (unsigned e = 0; e < 6; ++e) CHECK(outside_edges.count(edge_of(p, e)) == 0);
+        for (unsigned i = 0; i < 4; ++i) CHECK(outside_triangles.count(facet_of(p, i)) == 0);
+      }
+    }
+  });
+}
+
+TEST_CASE("pieces and kept tetrahedra lead around the edge from one ground triangle to the other") {
+  std::size_t built = 0, not_built = 0, bare_ends = 0;
+  for_cells(small_scenes(), [&](const CellCase& c) {
+    std::map<std::pair<std::uint32_t, std::uint32_t>, Triangle> ground;
+    for (std::size_t t = 0; t < c.kept.size(); ++t)
+      for (unsigned i = 0; i < 4; ++i)
+        if (const GroundTriangle g = c.cell.ground[t][i]; g.face != kNone)
+          ground[{g.face, g.triangle}] = facet_of(c.tet(t), i);
+    for (const Bridge& b : c.bridges.bridges) {
+      ++(b.pieces.empty() ? not_built : built);
+      std::set<Triangle> ends;
+      for (const GroundTriangle& g : b.ground) {
+        REQUIRE(ground.count({g.face, g.triangle}) == 1);
+        ends.insert(ground.at({g.face, g.triangle}));
+        CHECK(has(ground.at({g.face, g.triangle}), b.edge));
+      }
+      CHECK(ends.size() == 2);
+      if (b.pieces.empty()) continue;
+      // Around the edge each triangle is met twice, but for the two ends: one chain, as nothing else is
+      // there.
+      std::map<Triangle, std::vector<std::size_t>> at;
+      std::vector<Tet> chain = b.pieces;
+      for (const Tet& t : c.tets(true))
+        if (has(t, b.edge)) chain.push_back(t);
+      for (std::size_t k = 0; k < chain.size(); ++k)
+        for (unsigned i = 0; i < 4; ++i)
+          if (const Triangle f = facet_of(chain[k], i); has(f, b.edge)) at[f].push_back(k);
+      Groups links(chain.size());
+      std::set<Triangle> once;
+      for (const auto& [triangle, tets] : at) {
+        CHECK(tets.size() <= 2);
+        links.put_together(tets.front(), tets.back());
+        if (tets.size() == 1) once.insert(triangle);
+      }
+      CHECK(links.count() == 1);
+      CHECK(once == ends);
+      for (const Triangle& end : ends) bare_ends += at[end].front() < b.pieces.size() ? 1U : 0U;
+    }
+  });
+  MESSAGE(built << " bridges, " << not_built << " that can't be built, " << bare_ends << " bare ends");
+  CHECK(built > 300);
+  CHECK(bare_ends > 50);
+}
