@@ -161,4 +161,13 @@ CellBridges find_bridges(const BuiltCell& cell, const std::vector<std::uint8_t>&
   return BridgeFinder(cell, kept, points).run();
 }
 
+void renumber(CellBridges& bridges, std::span<const std::uint32_t> number) {
+  for (Bridge& bridge : bridges.bridges) {
+    for (std::uint32_t& v : bridge.edge) v = number[v];
+    for (auto& piece : bridge.pieces)
+      for (std::uint32_t& v : piece)
+        if (v < kFirstBridgePoint) v = number[v];
+  }
+}
+
 }  // namespace crossloft

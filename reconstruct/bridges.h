@@ -31,7 +31,8 @@ struct Bridge {
 };
 
 struct CellBridges {
-  std::vector<LatticePoint> points;  ///< strictly inside the cell; number kFirstBridgePoint + position
+  /// Number kFirstBridgePoint + position; strictly inside the cell if a piece has it.
+  std::vector<LatticePoint> points;
   std::vector<Bridge> bridges;
 };
 
@@ -40,5 +41,8 @@ struct CellBridges {
 /// overlap. O(n log n).
 CellBridges find_bridges(const BuiltCell& cell, const std::vector<std::uint8_t>& kept,
                          std::span<const LatticePoint> points);
+
+/// By number before: the final number now, of edges and pieces. REQUIRES: the order of the numbers is kept.
+void renumber(CellBridges& bridges, std::span<const std::uint32_t> number);
 
 }  // namespace crossloft

@@ -386,3 +386,311 @@ TEST_CASE("pieces and kept tetrahedra lead around the edge from one ground trian
   CHECK(built > 300);
   CHECK(bare_ends > 50);
 }
+
+namespace {
+
+/// The same cell with its tetrahedra in another order, each with its vertices in another even order.
+/// from[t] = the number that tetrahedron t had.
+BuiltCell shuffled_cell(const BuiltCell& cell, std::mt19937& random, std::vector<std::uint32_t>& from) {
+  const CellComplex& old = cell.complex;
+  std::vector<std::uint32_t> to(old.mesh.size());
+  for (std::uint32_t t = 0; t < to.size(); ++t) from.push_back(t);
+  std::shuffle(from.begin(), from.end(), random);
+  for (std::uint32_t t = 0; t < to.size(); ++t) to[from[t]] = t;
+  BuiltCell result = cell;
+  for (std::uint32_t t = 0; t < to.size(); ++t) {
+    std::array<std::uint8_t, 4> slot{0, 1, 2, 3};  // [new] = old
+    std::rotate(slot.begin() + 1, slot.begin() + 2, slot.end());
+    if (random() % 2 == 0) std::swap(slot[0], slot[1]), std::swap(slot[2], slot[3]);
+    const std::uint32_t o = from[t];
+    for (unsigned i = 0; i < 4; ++i) {
+      const std::uint32_t n = old.mesh.neighbours[o][slot[i]];
+      result.complex.mesh.vertices[t][i] = old.mesh.vertices[o][slot[i]];
+      result.complex.mesh.neighbours[t][i] = n == kNone ? kNone : to[n];
+      result.complex.facets[t][i] = old.facets[o][slot[i]];
+      result.ground[t][i] = cell.ground[o][slot[i]];
+    }
+    for (unsigned e = 0; e < 6; ++e) {
+      const unsigned corner = kEdgeCorner[slot[kEdgeSlots[e][0]]][slot[kEdgeSlots[e][1]]];
+      result.complex.edges[t][e] = old.edges[o][corner - 4];
+    }
+  }
+  return result;
+}
+
+/// A corner by its place: points of bridges have no number that means anything.
+std::set<std::set<std::array<double, 3>>> places(const CellCase& c, const Bridge& bridge) {
+  std::set<std::set<std::array<double, 3>>> all;
+  for (const Tet& p : bridge.pieces) {
+    std::set<std::array<double, 3>> corners;
+    for (const std::uint32_t v : p) corners.insert({c.point(v).x, c.point(v).y, c.point(v).z});
+    all.insert(corners);
+  }
+  return all;
+}
+
+auto by_edges(const CellCase& c) {
+  std::map<Edge, std::set<std::set<std::array<double, 3>>>> all;
+  for (const Bridge& b : c.bridges.bridges) CHECK(all.emplace(b.edge, places(c, b)).second);
+  return all;
+}
+
+/// Five tetrahedra around the edge 0-1, on the ground triangles 0 1 2 and 0 1 7 alone; `size` = length of the
+/// edge.
+BuiltCell half_turn(std::int64_t size, std::vector<LatticePoint>& points) {
+  const LatticeVector at[] = {{0, 0, 0},           {size, 0, 0}, {0, size, 0},         {0, size, size},
+                              {0, size / 2, size}, {0, 0, size}, {0, -size / 2, size}, {0, -size, 0}};
+  for (const LatticeVector& p : at) points.push_back(make_point(p));
+  BuiltCell cell;
+  for (std::uint32_t v = 0; v < 8; ++v) cell.vertices.push_back(v);
+  cell.complex.vertex_count = 8;
+  cell.complex.face_masks.assign(8, 0);
+  for (std::uint32_t k = 0; k < 5; ++k) {
+    const std::uint32_t before = k == 0 ? kNone : k - 1, after = k == 4 ? kNone : k + 1;
+    cell.complex.mesh.vertices.push_back({0, 1, 2 + k, 3 + k});
+    cell.complex.mesh.neighbours.push_back({kNone, kNone, after, before});
+    cell.complex.facets.push_back({});
+    cell.complex.edges.push_back({});
+    cell.ground.push_back({GroundTriangle{kNone, 0}, {kNone, 0}, {kNone, 0}, {kNone, 0}});
+  }
+  cell.complex.facets[0][3] = cell.complex.facets[4][2] = FacetKind::internal;
+  cell.ground[0][3] = {0, 0}, cell.ground[4][2] = {0, 1};
+  return cell;
+}
+
+}  // namespace
+
+TEST_CASE("bridges do not depend on the numbers of the tetrahedra nor on the order of their vertices") {
+  std::size_t seen = 0;
+  for_cells(small_scenes(), [&](const CellCase& c) {
+    std::mt19937 random(5);
+    std::vector<std::uint32_t> from;
+    const BuiltCell other = shuffled_cell(c.cell, random, from);
+    std::vector<std::uint8_t> moved;
+    for (const std::uint32_t t : from) moved.push_back(c.kept[t]);
+    const auto expected = by_edges(c);
+    CHECK(by_edges(CellCase(other, moved, c.points)) == expected);
+    seen += expected.size();
+  });
+  CHECK(seen > 1000);
+}
+
+TEST_CASE("a gap too thin for the grid has no pieces, nor have several gaps at an edge") {
+  const auto pieces = [](std::int64_t size, std::vector<std::uint8_t> kept) {
+    std::vector<LatticePoint> points;
+    const BuiltCell cell = half_turn(size, points);
+    const CellBridges found = find_bridges(cell, kept, points);
+    REQUIRE(found.bridges.size() == 1);
+    CHECK(found.bridges[0].edge == Edge{0, 1});
+    CHECK(found.bridges[0].ground[0].triangle == 0);
+    CHECK(found.bridges[0].ground[1].triangle == 1);
+    return found.bridges[0].pieces.size();
+  };
+  CHECK(pieces(4096, {0, 0, 0, 0, 0}) == 10);
+  CHECK(pieces(4096, {1, 0, 0, 0, 1}) == 6);
+  CHECK(pieces(4096, {1, 1, 0, 1, 1}) == 2);
+  CHECK(pieces(4096, {1, 0, 1, 0, 1}) == 0);
+  CHECK(pieces(4, {0, 0, 0, 0, 0}) == 0);
+}
+
+namespace {
+
+/// Tetrahedra of the solid at an edge, in groups that hang together through triangles with it.
+struct Wedges {
+  std::size_t with_section = 0, without = 0;  ///< by whether a section triangle at the edge is theirs
+  bool all_triangles = true;                  ///< every section triangle at the edge has a tetrahedron
+};
+
+Wedges wedges_at(const Edge& edge, const std::vector<Tet>& tets, const std::vector<Triangle>& section) {
+  std::map<Triangle, std::vector<std::size_t>> at;
+  for (std::size_t k = 0; k < tets.size(); ++k)
+    for (unsigned i = 0; i < 4; ++i)
+      if (const Triangle f = facet_of(tets[k], i); has(f, edge)) at[f].push_back(k);
+  Groups groups(tets.size());
+  for (const auto& [triangle, sides] : at) groups.put_together(sides.front(), sides.back());
+  Wedges wedges;
+  std::set<std::size_t> with;
+  for (const Triangle& t : section) {
+    if (at.count(t) == 0) {
+      wedges.all_triangles = false;
+    } else {
+      with.insert(groups.of(at[t].front()));
+    }
+  }
+  wedges.with_section = with.size();
+  wedges.without = groups.count() - with.size();
+  return wedges;
+}
+
+struct EdgeCounts {
+  std::size_t inner = 0, pinched = 0, bare = 0, extra_wedges = 0;
+};
+
+EdgeCounts count_edges(const Shown& s) {
+  std::map<Edge, std::vector<Tet>> tets;
+  std::map<Edge, std::vector<Triangle>> section;
+  const std::set<Edge> inner = s.inner_edges();
+  for (const Tet& t : s.solid)
+    for (unsigned e = 0; e < 6; ++e)
+      if (inner.count(edge_of(t, e)) != 0) tets[edge_of(t, e)].push_back(t);
+  s.for_section_triangles([&](const Triangle& t) {
+    for (std::size_t k = 0; k < 3; ++k)
+      if (const Edge e = ascending(Edge{t[k], t[(k + 1) % 3]}); inner.count(e) != 0) section[e].push_back(t);
+  });
+  EdgeCounts counts;
+  for (const Edge& e : inner) {
+    const Wedges w = wedges_at(e, tets[e], section[e]);
+    ++counts.inner;
+    counts.pinched += w.with_section == 1 && w.all_triangles ? 0U : 1U;
+    counts.bare += w.all_triangles ? 0U : 1U;
+    counts.extra_wedges += w.without;
+  }
+  return counts;
+}
+
+/// Section triangles with nothing on either side.
+std::size_t bare_triangles(const Shown& s, const std::vector<Tet>& solid) {
+  std::set<Triangle> covered;
+  for (const Tet& t : solid)
+    for (unsigned i = 0; i < 4; ++i) covered.insert(facet_of(t, i));
+  std::size_t bare = 0;
+  s.for_section_triangles([&](const Triangle& t) { bare += covered.count(t) == 0 ? 1U : 0U; });
+  return bare;
+}
+
+/// The solid without bridges.
+std::vector<Tet> solid_of_cells(const Shown& s) {
+  std::vector<Tet> solid;
+  for (std::size_t c = 0; c < s.cells.size(); ++c)
+    for (std::size_t t = 0; t < s.kept[c].size(); ++t)
+      if (s.kept[c][t] != 0) {
+        Tet tet = s.cells[c].complex.mesh.vertices[t];
+        for (std::uint32_t& v : tet) v = s.cells[c].vertices[v];
+        solid.push_back(tet);
+      }
+  return solid;
+}
+
+/// Of all section triangles as a surface that may branch at lines: vertices are apart where triangles hang
+/// together at them through no edge.
+std::int64_t euler_of_sections(const Shown& s) {
+  std::vector<Triangle> triangles;
+  s.for_section_triangles([&](const Triangle& t) { triangles.push_back(t); });
+  std::map<Edge, std::vector<std::size_t>> edges;
+  std::map<std::uint32_t, std::vector<std::size_t>> at;
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+    for (std::size_t k = 0; k < 3; ++k) {
+      edges[ascending(Edge{triangles[t][k], triangles[t][(k + 1) % 3]})].push_back(t);
+      at[triangles[t][k]].push_back(t);
+    }
+  auto euler = static_cast<std::int64_t>(triangles.size()) - static_cast<std::int64_t>(edges.size());
+  for (const auto& [vertex, here] : at) {
+    Groups parts(here.size());
+    for (std::size_t i = 0; i < here.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j) {
+        std::size_t common = 0;
+        for (const std::uint32_t v : triangles[here[i]])
+          common +=
+              static_cast<std::size_t>(std::count(triangles[here[j]].begin(), triangles[here[j]].end(), v));
+        if (common == 2) parts.put_together(i, j);
+      }
+    euler += static_cast<std::int64_t>(parts.count());
+  }
+  return euler;
+}
+
+std::int64_t euler_of(const Surface& surface) {
+  std::int64_t euler = 0;
+  for (const ComponentReport& c : check_surface(surface).components) euler += c.euler;
+  return euler;
+}
+
+/// Two planes full of bridges, and far below three that take branching samples: these give vertices new numbers when
+/// the bridges above have been found.
+Sections samples_elsewhere() {
+  Sections sections = load("figures/fig18.contour");
+  const auto row = [&](double z, std::initializer_list<double> at, double r, int corners) {
+    PlaneSection plane = plane_at({0, 0, 1}, {0, 0, z});
+    for (const double x : at) add_contour(plane, polygon({0, 0, 1}, {x, 0, z}, r, corners));
+    sections.planes.push_back(plane);
+  };
+  row(-12, {0.1}, 1, 40);
+  row(-11, {-1, 1}, 0.5, 24);
+  row(-10, {0.1}, 1, 40);
+  return sections;
+}
+
+std::vector<Scene> larger_scenes() {
+  std::vector<Scene> scenes = small_scenes();
+  scenes.push_back({"samples elsewhere", samples_elsewhere()});
+  const Surface ring = torus(1, 0.4, 30, 15);
+  for (const std::uint64_t seed : {1u, 2u, 3u})
+    scenes.push_back({"torus by 12, set " + std::to_string(seed), cut_randomly(ring, 12, seed)});
+  for (const std::uint64_t seed : {1u, 2u, 3u, 4u}) {
+    scenes.push_back(
+        {"genus 2 by 16, set " + std::to_string(seed), cut_randomly(genus2_solid(20), 16, seed)});
+    scenes.push_back({"vessel by 16, set " + std::to_string(seed), cut_randomly(vessel_solid(20), 16, seed)});
+  }
+  scenes.push_back({"trefoil by 14", cut_randomly(trefoil_solid(20), 14, 2)});
+  scenes.push_back({"gyroid by 12", cut_randomly(gyroid_solid(16), 12, 2)});
+  scenes.push_back({"shells by 10", cut_randomly(nested_shells(16), 10, 2)});
+  for (const char* name :
+       {"figures/fig14p.contour", "figures/fig16_one_two.contour", "figures/fig16_shift.contour",
+        "figures/fig16_center.contour", "figures/fig17.contour", "figures/fig17_cross.contour",
+        "figures/fig19.contour", "figures/fig20b.contour", "topology/dome.contour", "topology/tunnel.contour",
+        "demo.contour"})
+    scenes.push_back({name, load(name)});
+  return scenes;
+}
+
+}  // namespace
+
+TEST_CASE(
+    "with bridges no edge within a section is pinched but the open ones, and no section with an edge is "
+    "bare") {
+  std::size_t bridges = 0, open = 0, fewer_bare = 0, extra = 0;
+  for (const Scene& scene : larger_scenes()) {
+    CAPTURE(scene.name);
+    EdgeCounts edges;
+    std::size_t bare = 0, bare_before = 0;
+    const Reconstruction r = run(scene.sections, [&](const Shown& s) {
+      edges = count_edges(s);
+      bare = bare_triangles(s, s.solid);
+      bare_before = bare_triangles(s, solid_of_cells(s));
+    });
+    const TopologyReport& t = r.report.topology;
+    MESSAGE(scene.name << ": bridges " << t.bridges << " open " << t.open_edges << " pinched "
+                       << edges.pinched << " extra " << edges.extra_wedges << " bare " << bare << " before "
+                       << bare_before << " flat " << r.report.flat_area << " of " << r.report.section_area);
+    CHECK(edges.pinched == t.open_edges);
+    CHECK(bare <= bare_before);
+    CHECK((r.report.flat_area > 0) == (bare > 0));
+    if (t.open_edges == 0) CHECK(edges.bare == 0);
+    bridges += t.bridges;
+    open += t.open_edges;
+    extra += edges.extra_wedges;
+    fewer_bare += bare_before - bare;
+  }
+  MESSAGE("bridges " << bridges << ", open edges " << open << ", section triangles covered " << fewer_bare
+                     << ", wedges on no section " << extra);
+  CHECK(bridges > 100);
+  CHECK(fewer_bare > 0);
+}
+
+TEST_CASE("what the cells count is true of the result: its Euler characteristic is the sum of theirs") {
+  std::size_t told = 0;
+  for (const Scene& scene : larger_scenes()) {
+    CAPTURE(scene.name);
+    std::int64_t expected = 0;
+    const Reconstruction r = run(scene.sections, [&](const Shown& s) { expected = euler_of_sections(s); });
+    CHECK(r.report.topology.handles == 0);
+    for (const CellReport& c : r.report.cells)
+      expected += std::int64_t{c.topology.bodies} + c.topology.outsides - 1 - c.topology.sections;
+    MESSAGE(scene.name << ": expected " << 2 * expected << " is " << euler_of(r.surface) << " open "
+                       << r.report.topology.open_edges << " flat " << r.report.flat_area);
+    if (r.report.topology.open_edges != 0 || r.report.flat_area > 0) continue;
+    CHECK(euler_of(r.surface) == 2 * expected);
+    ++told;
+  }
+  CHECK(told >= 12);
+}
