@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <set>
 
 #include "../prune/disjoint_sets.h"
 #include "pipeline.h"
@@ -118,6 +119,43 @@ std::vector<SectionSide> section_sides(std::span<const FaceTriangulation> faces,
   return sides;
 }
 
+/// The pieces of the bridges that have been built.
+class BuiltPieces {
+ public:
+  /// Whether the bridge meets those of its cell in triangles at its own edge only.
+  bool fits(std::uint32_t cell, const Bridge& bridge) const {
+    for (const Tet& piece : bridge.pieces) {
+      if (pieces_.count({cell, piece}) != 0) continue;
+      for (std::size_t i = 0; i < 4; ++i)
+        if (is_end(piece[i], bridge.edge) && sides_.count({cell, side(piece, i)}) != 0) return false;
+    }
+    return true;
+  }
+
+  void add(std::uint32_t cell, const Bridge& bridge) {
+    for (const Tet& piece : bridge.pieces) {
+      pieces_.insert({cell, piece});
+      for (std::size_t i = 0; i < 4; ++i) sides_.insert({cell, side(piece, i)});
+    }
+  }
+
+ private:
+  using Tet = std::array<std::uint32_t, 4>;
+  using Triangle = std::array<std::uint32_t, 3>;
+
+  static bool is_end(std::uint32_t v, const Edge& edge) { return v == edge[0] || v == edge[1]; }
+
+  /// The triangle opposite vertex i, ascending: not at the edge iff vertex i is one of its ends.
+  static Triangle side(const Tet& piece, std::size_t i) {
+    Triangle t{piece[(i + 1) % 4], piece[(i + 2) % 4], piece[(i + 3) % 4]};
+    std::sort(t.begin(), t.end());
+    return t;
+  }
+
+  std::set<std::pair<std::uint32_t, Tet>> pieces_;  ///< cell, piece
+  std::set<std::pair<std::uint32_t, Triangle>> sides_;
+};
+
 /// A bridge point by its cell and its number there.
 using PointName = std::pair<std::uint32_t, std::uint32_t>;
 
@@ -173,6 +211,7 @@ void Pipeline::build_bridges() {
   const std::vector<SectionSide> sides = section_sides(faces_, numbering_, *arrangement_, sources);
   TopologyReport& report = result_.report.topology;
   std::vector<Source> built;
+  BuiltPieces pieces;
   for (std::size_t first = 0; first < sources.size();) {
     const std::span<const Source> here = of_edge(sources, sources[first].edge);
     first += here.size();
@@ -181,12 +220,13 @@ void Pipeline::build_bridges() {
     bool helped = false;
     for (const Source& s : here) {
       const Bridge& bridge = cells_[s.cell].bridges.bridges[s.bridge];
-      if (bridge.pieces.empty()) continue;
+      if (bridge.pieces.empty() || !pieces.fits(s.cell, bridge)) continue;
       const std::vector<FaceId> ids = inner_faces(CellId{s.cell});
       if (!ring.connect({{{ids[bridge.ground[0].face].value, bridge.ground[0].triangle},
                           {ids[bridge.ground[1].face].value, bridge.ground[1].triangle}}}))
         continue;
       built.push_back(s);
+      pieces.add(s.cell, bridge);
       helped = true;
     }
     report.bridges += helped ? 1U : 0U;

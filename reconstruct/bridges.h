@@ -8,7 +8,9 @@
 /// gets a *centre*, each facet between two of them a point of its own, both close to the edge, and the piece
 /// at the edge, which contains nothing else of the tetrahedron, is taken. A bridge touches a cell's solid in
 /// a disk, the two triangles where the gap ends, so it is a simple move: the cell's count stays as it was,
-/// and what it takes for granted comes true.
+/// and what it takes for granted comes true. That holds for several as long as they meet each other in
+/// triangles at their own edges only (BuiltPieces in bridge_stage.cpp): elsewhere they would close a handle
+/// or a dome.
 
 #include <array>
 #include <cstdint>
