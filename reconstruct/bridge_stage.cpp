@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <map>
-#include <set>
 
 #include "../prune/disjoint_sets.h"
 #include "pipeline.h"
@@ -119,54 +118,17 @@ std::vector<SectionSide> section_sides(std::span<const FaceTriangulation> faces,
   return sides;
 }
 
-/// The pieces of the bridges that have been built.
-class BuiltPieces {
- public:
-  /// Whether the bridge meets those of its cell in triangles at its own edge only.
-  bool fits(std::uint32_t cell, const Bridge& bridge) const {
-    for (const Tet& piece : bridge.pieces) {
-      if (pieces_.count({cell, piece}) != 0) continue;
-      for (std::size_t i = 0; i < 4; ++i)
-        if (is_end(piece[i], bridge.edge) && sides_.count({cell, side(piece, i)}) != 0) return false;
-    }
-    return true;
-  }
-
-  void add(std::uint32_t cell, const Bridge& bridge) {
-    for (const Tet& piece : bridge.pieces) {
-      pieces_.insert({cell, piece});
-      for (std::size_t i = 0; i < 4; ++i) sides_.insert({cell, side(piece, i)});
-    }
-  }
-
- private:
-  using Tet = std::array<std::uint32_t, 4>;
-  using Triangle = std::array<std::uint32_t, 3>;
-
-  static bool is_end(std::uint32_t v, const Edge& edge) { return v == edge[0] || v == edge[1]; }
-
-  /// The triangle opposite vertex i, ascending: not at the edge iff vertex i is one of its ends.
-  static Triangle side(const Tet& piece, std::size_t i) {
-    Triangle t{piece[(i + 1) % 4], piece[(i + 2) % 4], piece[(i + 3) % 4]};
-    std::sort(t.begin(), t.end());
-    return t;
-  }
-
-  std::set<std::pair<std::uint32_t, Tet>> pieces_;  ///< cell, piece
-  std::set<std::pair<std::uint32_t, Triangle>> sides_;
-};
-
 /// A bridge point by its cell and its number there.
 using PointName = std::pair<std::uint32_t, std::uint32_t>;
 
 /// Final numbers of the points that the pieces use, after all others and in lexicographic order.
-std::map<PointName, std::uint32_t> number_points(std::span<const Source> built,
+std::map<PointName, std::uint32_t> number_points(std::span<const BuiltBridges> built,
                                                  std::span<const CellState> cells, Numbering& numbering) {
   std::map<PointName, std::uint32_t> numbers;
-  for (const Source& s : built)
-    for (const auto& piece : cells[s.cell].bridges.bridges[s.bridge].pieces)
+  for (std::uint32_t c = 0; c < built.size(); ++c)
+    for (const auto& piece : built[c].pieces())
       for (const std::uint32_t v : piece)
-        if (v >= kFirstBridgePoint) numbers[{s.cell, v}] = 0;
+        if (v >= kFirstBridgePoint) numbers[{c, v}] = 0;
   std::vector<PointName> order;
   for (const auto& [name, unused] : numbers) order.push_back(name);
   const auto point = [&](const PointName& name) -> const LatticePoint& {
@@ -182,25 +144,14 @@ std::map<PointName, std::uint32_t> number_points(std::span<const Source> built,
   return numbers;
 }
 
-/// Pieces that several bridges share come once. REQUIRES: by cell.
-void add_pieces(std::span<const Source> built, std::vector<CellState>& cells,
-                const std::map<PointName, std::uint32_t>& numbers) {
-  for (std::size_t i = 0; i < built.size();) {
-    const std::uint32_t c = built[i].cell;
-    std::vector<std::array<std::uint32_t, 4>> pieces;
-    for (; i < built.size() && built[i].cell == c; ++i) {
-      const Bridge& bridge = cells[c].bridges.bridges[built[i].bridge];
-      pieces.insert(pieces.end(), bridge.pieces.begin(), bridge.pieces.end());
-      cells[c].ground.insert(cells[c].ground.end(), bridge.ground.begin(), bridge.ground.end());
-    }
-    std::sort(pieces.begin(), pieces.end());
-    pieces.erase(std::unique(pieces.begin(), pieces.end()), pieces.end());
-    for (auto& piece : pieces) {
+void add_pieces(std::span<const BuiltBridges> built, const std::map<PointName, std::uint32_t>& numbers,
+                std::vector<CellState>& cells) {
+  for (std::uint32_t c = 0; c < built.size(); ++c)
+    for (auto piece : built[c].pieces()) {
       for (std::uint32_t& v : piece)
         if (v >= kFirstBridgePoint) v = numbers.at({c, v});
       cells[c].tets.push_back(piece);
     }
-  }
 }
 
 }  // namespace
@@ -210,8 +161,7 @@ void Pipeline::build_bridges() {
   const std::vector<Source> sources = broken_edges(cells_);
   const std::vector<SectionSide> sides = section_sides(faces_, numbering_, *arrangement_, sources);
   TopologyReport& report = result_.report.topology;
-  std::vector<Source> built;
-  BuiltPieces pieces;
+  std::vector<BuiltBridges> built(cells_.size());
   for (std::size_t first = 0; first < sources.size();) {
     const std::span<const Source> here = of_edge(sources, sources[first].edge);
     first += here.size();
@@ -220,20 +170,20 @@ void Pipeline::build_bridges() {
     bool helped = false;
     for (const Source& s : here) {
       const Bridge& bridge = cells_[s.cell].bridges.bridges[s.bridge];
-      if (bridge.pieces.empty() || !pieces.fits(s.cell, bridge)) continue;
+      if (bridge.pieces.empty() || !built[s.cell].fits(bridge)) continue;
       const std::vector<FaceId> ids = inner_faces(CellId{s.cell});
       if (!ring.connect({{{ids[bridge.ground[0].face].value, bridge.ground[0].triangle},
                           {ids[bridge.ground[1].face].value, bridge.ground[1].triangle}}}))
         continue;
-      built.push_back(s);
-      pieces.add(s.cell, bridge);
+      built[s.cell].add(bridge);
+      std::vector<GroundTriangle>& ground = cells_[s.cell].ground;
+      ground.insert(ground.end(), bridge.ground.begin(), bridge.ground.end());
       helped = true;
     }
     report.bridges += helped ? 1U : 0U;
     report.open_edges += ring.is_connected() ? 0U : 1U;
   }
-  std::sort(built.begin(), built.end(), [](const Source& x, const Source& y) { return x.cell < y.cell; });
-  add_pieces(built, cells_, number_points(built, cells_, numbering_));
+  add_pieces(built, number_points(built, cells_, numbering_), cells_);
 }
 
 }  // namespace crossloft

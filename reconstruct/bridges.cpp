@@ -16,6 +16,15 @@ using Triangle = std::array<std::uint32_t, 3>;
 /// Weight of what is not the edge in a point of a bridge: the smaller, the thinner the bridge.
 constexpr double kThickness = 0.125;
 
+bool is_end(std::uint32_t v, const Edge& edge) { return v == edge[0] || v == edge[1]; }
+
+/// The triangle of a piece opposite vertex i, ascending.
+Triangle side_of(const Tet& piece, std::size_t i) {
+  Triangle t{piece[(i + 1) % 4], piece[(i + 2) % 4], piece[(i + 3) % 4]};
+  std::sort(t.begin(), t.end());
+  return t;
+}
+
 class BridgeFinder {
  public:
   BridgeFinder(const BuiltCell& cell, const std::vector<std::uint8_t>& kept,
@@ -51,8 +60,6 @@ class BridgeFinder {
     const auto [place, is_new] = facet_points_.try_emplace(facet, Claimed{edge, kNone});
     if (!is_new) place->second.edge = std::min(place->second.edge, edge);
   }
-
-  static bool is_end(std::uint32_t v, const Edge& edge) { return v == edge[0] || v == edge[1]; }
 
   /// A tetrahedron's centre for bridges at an edge, by the edge that it is close to. Edges that share a facet
   /// where a gap ends share the piece there, so they need one centre. Two that face each other have none in
@@ -187,6 +194,22 @@ class BridgeFinder {
 CellBridges find_bridges(const BuiltCell& cell, const std::vector<std::uint8_t>& kept,
                          std::span<const LatticePoint> points) {
   return BridgeFinder(cell, kept, points).run();
+}
+
+bool BuiltBridges::fits(const Bridge& bridge) const {
+  for (const Tet& piece : bridge.pieces)
+    for (std::size_t i = 0; i < 4 && pieces_.count(piece) == 0; ++i) {
+      const bool at_edge = !is_end(piece[i], bridge.edge);
+      if (!at_edge && sides_.count(side_of(piece, i)) != 0) return false;
+    }
+  return true;
+}
+
+void BuiltBridges::add(const Bridge& bridge) {
+  for (const Tet& piece : bridge.pieces) {
+    pieces_.insert(piece);
+    for (std::size_t i = 0; i < 4; ++i) sides_.insert(side_of(piece, i));
+  }
 }
 
 void renumber(CellBridges& bridges, std::span<const std::uint32_t> number) {

@@ -9,7 +9,9 @@
 #include "../../inspect/check.h"
 #include "../../inspect/slice.h"
 #include "../../inspect/solids.h"
+#include "../../inspect/surface_topology.h"
 #include "../../prune/star.h"
+#include "../../reconstruct/glue.h"
 #include "../../reconstruct/observer.h"
 #include "../arrangement/polygon_sections.h"
 #include "scenes.h"
@@ -475,6 +477,92 @@ TEST_CASE("bridges do not depend on the numbers of the tetrahedra nor on the ord
   CHECK(seen > 1000);
 }
 
+namespace {
+
+/// The ground of a cell as a slab of tetrahedra: a prism behind each triangle, to copies of its vertices. One
+/// order of the vertices cuts the sides of neighbours alike.
+std::vector<Tet> slabs(const CellCase& c) {
+  const auto copy = [&](std::uint32_t v) {
+    return v + static_cast<std::uint32_t>(c.points.size() + c.bridges.points.size());
+  };
+  std::vector<Tet> list;
+  for (std::size_t t = 0; t < c.kept.size(); ++t)
+    for (unsigned i = 0; i < 4; ++i) {
+      if (c.cell.complex.facets[t][i] != FacetKind::internal) continue;
+      const auto [p, q, r] = facet_of(c.tet(t), i);
+      std::array<Tet, 3> prism{
+          {{p, q, r, copy(r)}, {p, q, copy(r), copy(q)}, {p, copy(p), copy(q), copy(r)}}};
+      // These are positive if the copies are on the positive side; the tetrahedron is on the other one.
+      const bool turned = orient3d(c.point(p), c.point(q), c.point(r), c.point(c.tet(t)[i])) > 0;
+      for (Tet& tet : prism) {
+        if (turned) std::swap(tet[0], tet[1]);
+        list.push_back(tet);
+      }
+    }
+  return list;
+}
+
+/// Bridge points right after the others, as gluing wants small numbers.
+Tet glued_numbers(const CellCase& c, Tet piece) {
+  for (std::uint32_t& v : piece)
+    if (v >= kFirstBridgePoint) v = v - kFirstBridgePoint + static_cast<std::uint32_t>(c.points.size());
+  return piece;
+}
+
+struct Shape {
+  std::int64_t euler = 0;
+  std::size_t components = 0;
+
+  friend bool operator==(const Shape&, const Shape&) = default;
+};
+
+Shape shape_of(const std::vector<Tet>& solid) {
+  const auto glued = glue(solid);
+  REQUIRE(glued.ok());
+  Surface surface;
+  surface.triangles = glued->triangles;
+  for (std::size_t v = 0; v < glued->vertices.size(); ++v)
+    surface.points.push_back({static_cast<double>(v), 0, 0});
+  CheckReport report;
+  check_topology(surface, report);
+  Shape shape{0, report.components.size()};
+  for (const ComponentReport& part : report.components) shape.euler += part.euler;
+  return shape;
+}
+
+}  // namespace
+
+TEST_CASE("bridges that fit change nothing of what a cell counts: no handle, no dome, no join") {
+  std::size_t built = 0, refused = 0, harmful = 0;
+  for_cells(small_scenes(), [&](const CellCase& c) {
+    std::vector<Tet> before = c.tets(true);
+    for (const Tet& t : slabs(c)) before.push_back(t);
+    if (before.empty()) return;
+    const auto with = [&](const BuiltBridges& bridges) {
+      std::vector<Tet> solid = before;
+      for (const Tet& piece : bridges.pieces()) solid.push_back(glued_numbers(c, piece));
+      return shape_of(solid);
+    };
+    const Shape shape = shape_of(before);
+    BuiltBridges fitting, all;
+    for (const Bridge& b : c.bridges.bridges) {
+      all.add(b);
+      if (fitting.fits(b)) {
+        fitting.add(b);
+        built += b.pieces.empty() ? 0U : 1U;
+      } else {
+        ++refused;
+      }
+    }
+    CHECK(with(fitting) == shape);
+    harmful += with(all) == shape ? 0U : 1U;
+  });
+  MESSAGE(built << " bridges built, " << refused << " refused; " << harmful << " solids would have changed");
+  CHECK(built > 1000);
+  CHECK(refused > 0);
+  CHECK(harmful > 0);
+}
+
 TEST_CASE("a gap too thin for the grid has no pieces, nor have several gaps at an edge") {
   const auto pieces = [](std::int64_t size, std::vector<std::uint8_t> kept) {
     std::vector<LatticePoint> points;
@@ -605,8 +693,8 @@ std::int64_t euler_of(const Surface& surface) {
   return euler;
 }
 
-/// Two planes full of bridges, and far below three that take branching samples: these give vertices new numbers when
-/// the bridges above have been found.
+/// Two planes full of bridges, and far below three that take branching samples: these give vertices new
+/// numbers when the bridges above have been found.
 Sections samples_elsewhere() {
   Sections sections = load("figures/fig18.contour");
   const auto row = [&](double z, std::initializer_list<double> at, double r, int corners) {
