@@ -51,7 +51,7 @@ class BuiltBridges {
   /// Whether the bridge meets the others in triangles at its own edge only. O(pieces log n)
   bool fits(const Bridge& bridge) const;
   void add(const Bridge& bridge);
-  /// Once each, in canonical order.
+  /// Once each.
   const std::set<std::array<std::uint32_t, 4>>& pieces() const { return pieces_; }
 
  private:
