@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <span>
+#include <tuple>
+#include <utility>
 
 #include "../prune/disjoint_sets.h"
 #include "pipeline.h"
@@ -43,52 +46,6 @@ bool is_source(std::span<const Source> sources, const Edge& edge) {
   return place != sources.end() && place->edge == edge;
 }
 
-/// The section triangles at one edge and which of them the solid connects there.
-class EdgeRing {
- public:
-  EdgeRing(std::span<const SectionSide> sides, std::span<const Source> sources,
-           std::span<const CellState> cells)
-      : sides_(sides), connected_(sides.size()) {
-    for (std::uint32_t i = 0; i < sides.size(); ++i)
-      for (std::uint32_t j = 0; j < i; ++j)
-        for (const CellId cell : sides[i].cells)
-          if ((cell == sides[j].cells[0] || cell == sides[j].cells[1]) &&
-              is_whole(cell.value, sources, cells))
-            connected_.join(i, j);
-  }
-
-  bool is_connected() {
-    for (std::uint32_t i = 1; i < sides_.size(); ++i)
-      if (connected_.find(i) != connected_.find(0)) return false;
-    return true;
-  }
-
-  /// False if the two triangles were connected already.
-  bool connect(const std::array<std::pair<std::uint32_t, std::uint32_t>, 2>& triangles) {
-    const std::uint32_t a = connected_.find(place(triangles[0])), b = connected_.find(place(triangles[1]));
-    connected_.join(a, b);
-    return a != b;
-  }
-
- private:
-  /// Whether the fan of a cell at the edge is kept as a whole.
-  static bool is_whole(std::uint32_t cell, std::span<const Source> sources,
-                       std::span<const CellState> cells) {
-    return cells[cell].report.tets_r0 != 0 &&
-           std::none_of(sources.begin(), sources.end(), [&](const Source& s) { return s.cell == cell; });
-  }
-
-  std::uint32_t place(const std::pair<std::uint32_t, std::uint32_t>& triangle) const {
-    const auto found = std::find_if(sides_.begin(), sides_.end(), [&](const SectionSide& s) {
-      return s.face == triangle.first && s.triangle == triangle.second;
-    });
-    return static_cast<std::uint32_t>(found - sides_.begin());
-  }
-
-  std::span<const SectionSide> sides_;
-  DisjointSets connected_;
-};
-
 /// Part of a list sorted by edge.
 template <class T>
 std::span<const T> of_edge(const std::vector<T>& list, const Edge& edge) {
@@ -122,13 +79,13 @@ std::vector<SectionSide> section_sides(std::span<const FaceTriangulation> faces,
 using PointName = std::pair<std::uint32_t, std::uint32_t>;
 
 /// Final numbers of the points that the pieces use, after all others and in lexicographic order.
-std::map<PointName, std::uint32_t> number_points(std::span<const Source> built,
+std::map<PointName, std::uint32_t> number_points(std::span<const BuiltBridges> built,
                                                  std::span<const CellState> cells, Numbering& numbering) {
   std::map<PointName, std::uint32_t> numbers;
-  for (const Source& s : built)
-    for (const auto& piece : cells[s.cell].bridges.bridges[s.bridge].pieces)
+  for (std::uint32_t c = 0; c < built.size(); ++c)
+    for (const auto& piece : built[c].pieces())
       for (const std::uint32_t v : piece)
-        if (v >= kFirstBridgePoint) numbers[{s.cell, v}] = 0;
+        if (v >= kFirstBridgePoint) numbers[{c, v}] = 0;
   std::vector<PointName> order;
   for (const auto& [name, unused] : numbers) order.push_back(name);
   const auto point = [&](const PointName& name) -> const LatticePoint& {
@@ -145,56 +102,95 @@ std::map<PointName, std::uint32_t> number_points(std::span<const Source> built,
   return numbers;
 }
 
-/// Pieces that several bridges share come once. REQUIRES: by cell.
-void add_pieces(std::span<const Source> built, std::vector<CellState>& cells,
-                const std::map<PointName, std::uint32_t>& numbers) {
-  for (std::size_t i = 0; i < built.size();) {
-    const std::uint32_t c = built[i].cell;
-    std::vector<std::array<std::uint32_t, 4>> pieces;
-    for (; i < built.size() && built[i].cell == c; ++i) {
-      const Bridge& bridge = cells[c].bridges.bridges[built[i].bridge];
-      pieces.insert(pieces.end(), bridge.pieces.begin(), bridge.pieces.end());
-      cells[c].bridge_ground.insert(cells[c].bridge_ground.end(), bridge.ground.begin(), bridge.ground.end());
-    }
-    std::sort(pieces.begin(), pieces.end());
-    pieces.erase(std::unique(pieces.begin(), pieces.end()), pieces.end());
-    for (auto& piece : pieces) {
+void add_pieces(std::span<const BuiltBridges> built, const std::map<PointName, std::uint32_t>& numbers,
+                std::vector<CellState>& cells) {
+  for (std::uint32_t c = 0; c < built.size(); ++c)
+    for (auto piece : built[c].pieces()) {
       for (std::uint32_t& v : piece)
         if (v >= kFirstBridgePoint) v = numbers.at({c, v});
       cells[c].bridge_tets.push_back(piece);
     }
-  }
 }
 
 }  // namespace
+
+/// The section triangles at one edge and which of them the solid connects there. Each cell at the edge has
+/// two of them, or fewer.
+class EdgeRing {
+ public:
+  EdgeRing(std::span<const SectionSide> sides, std::span<const Source> sources,
+           std::span<const CellState> cells)
+      : sides_(sides), connected_(sides.size()) {
+    std::vector<std::uint32_t> broken;
+    for (const Source& s : sources) broken.push_back(s.cell);
+    std::sort(broken.begin(), broken.end());
+    std::vector<std::array<std::uint32_t, 2>> seen;  // cell, side
+    for (std::uint32_t i = 0; i < sides.size(); ++i)
+      for (const CellId cell : sides[i].cells) seen.push_back({cell.value, i});
+    std::sort(seen.begin(), seen.end());
+    for (std::size_t i = 1; i < seen.size(); ++i) {
+      const std::uint32_t cell = seen[i][0];
+      const bool whole =
+          cells[cell].report.tets_r0 != 0 && !std::binary_search(broken.begin(), broken.end(), cell);
+      if (cell == seen[i - 1][0] && whole) connected_.join(seen[i][1], seen[i - 1][1]);
+    }
+  }
+
+  bool is_connected() {
+    for (std::uint32_t i = 1; i < sides_.size(); ++i)
+      if (connected_.find(i) != connected_.find(0)) return false;
+    return true;
+  }
+
+  using SectionTriangle = std::pair<std::uint32_t, std::uint32_t>;  ///< face, triangle
+  /// False if the two were connected already. REQUIRES: they are at the edge.
+  bool connect(const SectionTriangle& a, const SectionTriangle& b) {
+    const std::uint32_t x = connected_.find(place(a)), y = connected_.find(place(b));
+    connected_.join(x, y);
+    return x != y;
+  }
+
+ private:
+  std::uint32_t place(const SectionTriangle& triangle) const {
+    std::uint32_t i = 0;
+    while (sides_[i].face != triangle.first || sides_[i].triangle != triangle.second) ++i;
+    return i;
+  }
+
+  std::span<const SectionSide> sides_;
+  DisjointSets connected_;
+};
+
+/// If it connects what is not connected yet, and fits to the others of its cell.
+bool Pipeline::build_bridge(std::uint32_t cell, std::uint32_t number, EdgeRing& ring, BuiltBridges& built) {
+  const Bridge& bridge = cells_[cell].bridges.bridges[number];
+  if (bridge.pieces.empty() || !built.fits(bridge)) return false;
+  const std::vector<FaceId> ids = inner_faces(CellId{cell});
+  const auto& [g, h] = bridge.ground;
+  if (!ring.connect({ids[g.face].value, g.triangle}, {ids[h.face].value, h.triangle})) return false;
+  built.add(bridge);
+  std::vector<GroundTriangle>& ground = cells_[cell].bridge_ground;
+  ground.insert(ground.end(), {g, h});
+  return true;
+}
 
 /// Edge by edge: what whole fans leave unconnected is connected by the smallest bridges.
 void Pipeline::build_bridges() {
   const std::vector<Source> sources = broken_edges(cells_);
   const std::vector<SectionSide> sides = section_sides(faces_, numbering_, *arrangement_, sources);
   TopologyReport& report = result_.report.topology;
-  std::vector<Source> built;
+  std::vector<BuiltBridges> built(cells_.size());
   for (std::size_t first = 0; first < sources.size();) {
     const std::span<const Source> here = of_edge(sources, sources[first].edge);
     first += here.size();
     EdgeRing ring(of_edge(sides, here[0].edge), here, cells_);
     if (ring.is_connected()) continue;
     bool helped = false;
-    for (const Source& s : here) {
-      const Bridge& bridge = cells_[s.cell].bridges.bridges[s.bridge];
-      if (bridge.pieces.empty()) continue;
-      const std::vector<FaceId> ids = inner_faces(CellId{s.cell});
-      if (!ring.connect({{{ids[bridge.ground[0].face].value, bridge.ground[0].triangle},
-                          {ids[bridge.ground[1].face].value, bridge.ground[1].triangle}}}))
-        continue;
-      built.push_back(s);
-      helped = true;
-    }
+    for (const Source& s : here) helped |= build_bridge(s.cell, s.bridge, ring, built[s.cell]);
     report.bridges += helped ? 1U : 0U;
     report.open_edges += ring.is_connected() ? 0U : 1U;
   }
-  std::sort(built.begin(), built.end(), [](const Source& x, const Source& y) { return x.cell < y.cell; });
-  add_pieces(built, cells_, number_points(built, cells_, numbering_));
+  add_pieces(built, number_points(built, cells_, numbering_), cells_);
 }
 
 void Pipeline::remove_bridges() {

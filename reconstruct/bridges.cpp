@@ -16,6 +16,15 @@ using Triangle = std::array<std::uint32_t, 3>;
 /// Weight of what is not the edge in a point of a bridge: the smaller, the thinner the bridge.
 constexpr double kThickness = 0.125;
 
+bool is_end(std::uint32_t v, const Edge& edge) { return v == edge[0] || v == edge[1]; }
+
+/// The triangle of a piece opposite vertex i, ascending.
+Triangle side_of(const Tet& piece, std::size_t i) {
+  Triangle t{piece[(i + 1) % 4], piece[(i + 2) % 4], piece[(i + 3) % 4]};
+  std::sort(t.begin(), t.end());
+  return t;
+}
+
 class BridgeFinder {
  public:
   BridgeFinder(const BuiltCell& cell, const std::vector<std::uint8_t>& kept,
@@ -27,28 +36,39 @@ class BridgeFinder {
 
   CellBridges run() {
     for (const BrokenFan& fan : fans_)
+      for (const GapTet& gap : fan.gap) edges_[gap.tet].push_back(fan.edge);
+    for (const BrokenFan& fan : fans_)
       for (std::size_t i = 0; i < fan.gap.size(); ++i) {
-        claim(centres_, fan.gap[i].tet, fan.edge);
-        if (i > 0) claim(facet_points_, facet_key(fan.gap[i]), fan.edge);
+        centres_[centre_key(fan.gap[i].tet, fan.edge)] = kNone;
+        if (i > 0) claim(facet_key(fan.gap[i]), fan.edge);
       }
-    for (auto& [tet, claimed] : centres_)
-      claimed.number = add_point(cell_.complex.mesh.vertices[tet], claimed.edge);
+    for (auto& [key, number] : centres_)
+      number = add_point(cell_.complex.mesh.vertices[key.first], key.second);
     for (auto& [triangle, claimed] : facet_points_) claimed.number = add_point(triangle, claimed.edge);
     for (const BrokenFan& fan : fans_) add_bridge(fan);
     return std::move(result_);
   }
 
  private:
-  /// A point to come near the smallest edge of those whose bridges it is part of: whatever their order.
+  /// A facet's point, to come near the smallest edge of those whose bridges have it: whatever their order.
   struct Claimed {
     Edge edge{};
     std::uint32_t number = kNone;
   };
 
-  template <class Map, class Key>
-  static void claim(Map& map, const Key& key, const Edge& edge) {
-    const auto [place, is_new] = map.try_emplace(key, Claimed{edge, kNone});
+  void claim(const Triangle& facet, const Edge& edge) {
+    const auto [place, is_new] = facet_points_.try_emplace(facet, Claimed{edge, kNone});
     if (!is_new) place->second.edge = std::min(place->second.edge, edge);
+  }
+
+  /// A tetrahedron's centre for bridges at an edge, by the edge that it is close to. Edges that share a facet
+  /// where a gap ends share the piece there, so they need one centre. Two that face each other have none in
+  /// common: one centre for both would join their bridges.
+  std::pair<std::uint32_t, Edge> centre_key(std::uint32_t tet, const Edge& edge) const {
+    const std::vector<Edge>& all = edges_.at(tet);
+    const bool facing = all.size() == 2 && !is_end(all[0][0], all[1]) && !is_end(all[0][1], all[1]);
+    if (facing) return {tet, edge};
+    return {tet, *std::min_element(all.begin(), all.end())};
   }
 
   /// The facet through which one comes to a tetrahedron of a gap, by its vertices.
@@ -71,7 +91,7 @@ class BridgeFinder {
     Vec3 sum{0, 0, 0};
     for (const std::uint32_t v : corners) {
       const LatticePoint& p = points_[cell_.vertices[v]];
-      const bool at_edge = v == edge[0] || v == edge[1];
+      const bool at_edge = is_end(v, edge);
       sum = sum +
             (at_edge ? (1 - kThickness) / 2 : kThickness / static_cast<double>(N - 2)) * Vec3{p.x, p.y, p.z};
     }
@@ -90,23 +110,37 @@ class BridgeFinder {
     return orient3d(point(t[0]), point(t[1]), point(t[2]), point(t[3])) > 0;
   }
 
-  /// The tetrahedron's part between facet i and its centre.
-  Tet part_at(std::uint32_t t, std::uint8_t i) const {
+  /// The tetrahedron's part between facet i and its centre for an edge.
+  Tet part_at(std::uint32_t t, std::uint8_t i, const Edge& edge) const {
     Tet part = numbers_of(t);
-    part[i] = centres_.at(t).number;
+    part[i] = centres_.at(centre_key(t, edge));
     return part;
   }
 
-  /// The same for a facet with a point: one third of it, without the vertex in slot j.
-  Tet part_at(const GapTet& gap, std::uint8_t i, std::uint32_t facet_point, std::size_t j) const {
-    Tet part = part_at(gap.tet, i);
+  /// Whether the centres for two edges that face each other keep their bridges apart: seen along any other
+  /// edge, each is on its own edge's side.
+  bool are_centres_apart(std::uint32_t t, const Edge& edge) const {
+    const auto& v = cell_.complex.mesh.vertices[t];
+    for (const Edge& other : edges_.at(t))
+      for (std::size_t i = 0; i < 4 && centre_key(t, other) != centre_key(t, edge); ++i)
+        for (std::size_t j = 0; j < 4; ++j) {
+          if (!is_end(v[i], edge) || !is_end(v[j], other)) continue;
+          Tet between = numbers_of(t);
+          between[i] = centres_.at(centre_key(t, edge)), between[j] = centres_.at(centre_key(t, other));
+          if (!is_positive(between)) return false;
+        }
+    return true;
+  }
+
+  /// One third of such a part, at a facet with a point: without the vertex in slot j.
+  static Tet third_of(Tet part, std::uint32_t facet_point, std::size_t j) {
     part[j] = facet_point;
     return part;
   }
 
   /// What a bridge takes of the part at facet i; false if the centre or the facet's point lies wrongly.
   bool add_part(const GapTet& gap, std::uint8_t i, bool divided, Bridge& bridge) const {
-    const Tet whole = part_at(gap.tet, i);
+    const Tet whole = part_at(gap.tet, i, bridge.edge);
     if (!is_positive(whole)) return false;
     if (!divided) {
       bridge.pieces.push_back(whole);
@@ -117,9 +151,9 @@ class BridgeFinder {
     const std::uint32_t p = facet_points_.at(facet_key(across)).number;
     const auto& local = cell_.complex.mesh.vertices[gap.tet];
     for (const std::uint8_t j : kFacetSlots[i]) {
-      const Tet part = part_at(gap, i, p, j);
+      const Tet part = third_of(whole, p, j);
       if (!is_positive(part)) return false;
-      if (local[j] != bridge.edge[0] && local[j] != bridge.edge[1]) bridge.pieces.push_back(part);
+      if (!is_end(local[j], bridge.edge)) bridge.pieces.push_back(part);
     }
     return true;
   }
@@ -129,8 +163,8 @@ class BridgeFinder {
     bridge.edge = fan.edge;
     for (std::size_t i = 0; i < fan.gap.size(); ++i) {
       const GapTet& gap = fan.gap[i];
-      bool good = true;
-      for (std::uint8_t f = 0; f < 4; ++f) good = good && is_positive(part_at(gap.tet, f));
+      bool good = are_centres_apart(gap.tet, fan.edge);
+      for (std::uint8_t f = 0; f < 4; ++f) good = good && is_positive(part_at(gap.tet, f, fan.edge));
       good = good && add_part(gap, gap.from, i > 0, bridge) &&
              add_part(gap, gap.to, i + 1 < fan.gap.size(), bridge);
       if (good) continue;
@@ -149,8 +183,9 @@ class BridgeFinder {
   std::span<const LatticePoint> points_;
   const Ground ground_;
   const std::vector<BrokenFan> fans_;
-  std::map<std::uint32_t, Claimed> centres_;  ///< by tetrahedron
-  std::map<Triangle, Claimed> facet_points_;  ///< by local vertices, ascending
+  std::map<std::uint32_t, std::vector<Edge>> edges_;                 ///< by tetrahedron: whose gaps it is in
+  std::map<std::pair<std::uint32_t, Edge>, std::uint32_t> centres_;  ///< by centre_key(): number
+  std::map<Triangle, Claimed> facet_points_;                         ///< by local vertices, ascending
   CellBridges result_;
 };
 
@@ -159,6 +194,31 @@ class BridgeFinder {
 CellBridges find_bridges(const BuiltCell& cell, const std::vector<std::uint8_t>& kept,
                          std::span<const LatticePoint> points) {
   return BridgeFinder(cell, kept, points).run();
+}
+
+bool BuiltBridges::fits(const Bridge& bridge) const {
+  for (const Tet& piece : bridge.pieces)
+    for (std::size_t i = 0; i < 4 && pieces_.count(piece) == 0; ++i) {
+      const bool at_edge = !is_end(piece[i], bridge.edge);
+      if (!at_edge && sides_.count(side_of(piece, i)) != 0) return false;
+    }
+  return true;
+}
+
+void BuiltBridges::add(const Bridge& bridge) {
+  for (const Tet& piece : bridge.pieces) {
+    pieces_.insert(piece);
+    for (std::size_t i = 0; i < 4; ++i) sides_.insert(side_of(piece, i));
+  }
+}
+
+void renumber(CellBridges& bridges, std::span<const std::uint32_t> number) {
+  for (Bridge& bridge : bridges.bridges) {
+    for (std::uint32_t& v : bridge.edge) v = number[v];
+    for (auto& piece : bridge.pieces)
+      for (std::uint32_t& v : piece)
+        if (v < kFirstBridgePoint) v = number[v];
+  }
 }
 
 }  // namespace crossloft

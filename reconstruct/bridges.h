@@ -8,10 +8,13 @@
 /// gets a *centre*, each facet between two of them a point of its own, both close to the edge, and the piece
 /// at the edge, which contains nothing else of the tetrahedron, is taken. A bridge touches a cell's solid in
 /// a disk, the two triangles where the gap ends, so it is a simple move: the cell's count stays as it was,
-/// and what it takes for granted comes true.
+/// and what it takes for granted comes true. That holds for several as long as they meet each other in
+/// triangles at their own edges only (BuiltBridges): elsewhere they would close a handle
+/// or a dome.
 
 #include <array>
 #include <cstdint>
+#include <set>
 #include <span>
 #include <vector>
 
@@ -31,7 +34,8 @@ struct Bridge {
 };
 
 struct CellBridges {
-  std::vector<LatticePoint> points;  ///< strictly inside the cell; number kFirstBridgePoint + position
+  /// Number kFirstBridgePoint + position; strictly inside the cell if a piece has it.
+  std::vector<LatticePoint> points;
   std::vector<Bridge> bridges;
 };
 
@@ -40,5 +44,22 @@ struct CellBridges {
 /// overlap. O(n log n).
 CellBridges find_bridges(const BuiltCell& cell, const std::vector<std::uint8_t>& kept,
                          std::span<const LatticePoint> points);
+
+/// Those bridges of one cell that are built.
+class BuiltBridges {
+ public:
+  /// Whether the bridge meets the others in triangles at its own edge only. O(pieces log n)
+  bool fits(const Bridge& bridge) const;
+  void add(const Bridge& bridge);
+  /// Once each.
+  const std::set<std::array<std::uint32_t, 4>>& pieces() const { return pieces_; }
+
+ private:
+  std::set<std::array<std::uint32_t, 4>> pieces_;
+  std::set<std::array<std::uint32_t, 3>> sides_;  ///< of the pieces, vertices ascending
+};
+
+/// By number before: the final number now, of edges and pieces. REQUIRES: the order of the numbers is kept.
+void renumber(CellBridges& bridges, std::span<const std::uint32_t> number);
 
 }  // namespace crossloft

@@ -44,6 +44,7 @@ Result<Done> Pipeline::refine_faces(std::span<const std::vector<LatticePoint>> s
   for (CellState& cell : cells_) {
     if (cell.triangulation) cell.triangulation->renumber(number);
     for (std::uint32_t& v : cell.built.vertices) v = number[v];
+    renumber(cell.bridges, number);
     for (auto& tet : cell.tets)
       for (std::uint32_t& v : tet) v = number[v];
   }

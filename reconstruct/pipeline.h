@@ -36,6 +36,8 @@ class Stopwatch {
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
+class EdgeRing;
+
 /// One component of the surface, not the largest, as cells see it.
 struct Piece {
   bool is_cavity = false;
@@ -80,6 +82,7 @@ class Pipeline {
   Result<std::vector<Piece>> find_pieces() const;
   // bridge_stage.cpp
   void build_bridges();
+  bool build_bridge(std::uint32_t cell, std::uint32_t number, EdgeRing& ring, BuiltBridges& built);
   void remove_bridges();
   // glue_stage.cpp
   Result<Done> glue_cells();

@@ -56,8 +56,8 @@ TEST_CASE("solids have the topology they promise") {
   CHECK(vessel.genus == 0);
   CHECK(vessel.components.size() == 1);
   const CheckReport gyroid = good(gyroid_solid(40));
-  CHECK(gyroid.components.size() >= 1);
-  CHECK(gyroid.genus > 3);
+  CHECK(gyroid.components.size() == 1);
+  CHECK(gyroid.genus == 2);
   const CheckReport shells = good(nested_shells(32));
   CHECK(shells.components.size() == 3);
   CHECK(shells.cavities == 1);
@@ -82,6 +82,6 @@ TEST_CASE("an implicit ball has the ball's volume and closes at the box") {
 TEST_CASE("solids are the same to the bit for every compiler and optimisation level") {
   CHECK(hash(demo_solid(32)) == 0x662c35ae2a340a20u);
   CHECK(hash(torus(1, 0.4, 80, 40)) == 0x81d863af309225d1u);
-  CHECK(hash(gyroid_solid(24)) == 0xa3da82590b3bfe81u);
-  CHECK(hash(vessel_solid(24)) == 0x6a41ce020ca7caa3u);
+  CHECK(hash(gyroid_solid(24)) == 0xfdbdc21a90082893u);
+  CHECK(hash(vessel_solid(24)) == 0x8c77174b4f34c26u);
 }
