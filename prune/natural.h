@@ -16,7 +16,7 @@ inline constexpr double kLargestSmoothWeight = 1e9;
 
 /// Confidences are -1..1, the weight 0..kLargestSmoothWeight.
 struct NaturalOptions {
-  double join_confidence = -0.05;  ///< two sections are joined where the best way between them has this
+  double join_confidence = -0.03;  ///< two sections are joined where the best way between them has this
   double dome_confidence = -0.4;   ///< a hole in a section is closed over where the last piece has this
   double alone_confidence = -0.5;  ///< a small body that no cell joins with anything is joined from this on
   double cavity_confidence = 0;    ///< a cavity is opened where a wall of it is less sure than this; -1: never
