@@ -31,6 +31,7 @@ struct CellTopology {
   std::int64_t euler = 0;    ///< of S, cut apart as said
   std::uint32_t curves = 0;  ///< boundary curves of S
   std::uint32_t bare = 0;    ///< ground triangles without a kept tetrahedron
+  std::uint32_t bad_links = 0;  ///< vertices whose extended link is neither a disk nor a sphere (links.h)
 
   friend bool operator==(const CellTopology&, const CellTopology&) = default;
 };

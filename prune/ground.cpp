@@ -30,10 +30,15 @@ Ground::Ground(const CellComplex& complex) : complex_(complex), of_facet_(comple
   DisjointSets parts(size());
   for (std::uint32_t g = 0; g < size(); ++g)
     for (unsigned k = 0; k < 3; ++k) {
+      if (neighbours_[g][k] != kNone) continue;  // found from the other side
       const auto& slots = kFacetSlots[facets_[g].facet];
-      const Facet end = other_end(facets_[g], kEdgeCorner[slots[k]][slots[(k + 1) % 3]]);
-      neighbours_[g][k] = at(end.tet, end.facet);
-      if (neighbours_[g][k] != kNone) parts.join(g, neighbours_[g][k]);
+      unsigned corner = kEdgeCorner[slots[k]][slots[(k + 1) % 3]];
+      const Facet end = other_end(facets_[g], corner);
+      const std::uint32_t other = at(end.tet, end.facet);
+      if (other == kNone) continue;
+      neighbours_[g][k] = other;
+      neighbours_[other][side_of(end.facet, corner)] = g;
+      parts.join(g, other);
     }
   for (std::uint32_t g = 0; g < size(); ++g) parts_.push_back(parts.find(g));
 }
@@ -44,8 +49,8 @@ std::uint32_t Ground::part_count() const {
   return count;
 }
 
-/// The hull facet at the other end of the fan around an edge on the hull.
-Facet Ground::other_end(Facet from, unsigned corner) const {
+/// The hull facet at the other end of the fan around an edge on the hull; `corner` becomes the edge there.
+Facet Ground::other_end(Facet from, unsigned& corner) const {
   const TetMesh& mesh = complex_.mesh;
   for (std::uint32_t t = from.tet, i = from.facet;;) {
     const unsigned out = other_facet(i, corner);

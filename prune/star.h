@@ -29,13 +29,20 @@ inline bool facet_contains(unsigned facet, unsigned corner) {
 
 /// Slot of vertex v in the tetrahedron. REQUIRES: v is one of its vertices.
 inline unsigned slot_of(const std::array<std::uint32_t, 4>& tet, std::uint32_t v) {
-  return tet[0] == v ? 0U : tet[1] == v ? 1U : tet[2] == v ? 2U : 3U;
+  // Without branches: which slot it is can't be predicted.
+  const unsigned low = tet[1] == v ? 1U : 0U;
+  const unsigned high = (tet[2] == v ? 2U : 0U) | (tet[3] == v ? 3U : 0U);
+  return low | high;
 }
 
 /// The vertices of a tetrahedron as its name: independent of its number and the order of its slots.
 inline std::array<std::uint32_t, 4> sorted_vertices(const TetMesh& mesh, std::uint32_t t) {
   std::array<std::uint32_t, 4> v = mesh.vertices[t];
-  std::sort(v.begin(), v.end());
+  const auto order = [&](unsigned i, unsigned j) {
+    const auto [low, high] = std::minmax({v[i], v[j]});
+    v[i] = low, v[j] = high;
+  };
+  order(0, 1), order(2, 3), order(0, 2), order(1, 3), order(1, 2);
   return v;
 }
 
