@@ -40,11 +40,10 @@ class NaturalPruning {
     if (is_good(report, result.kept)) return result;
     report.grown = true;
     GrowthResult grown = grow_simply(complex_, ground_, result.kept, confidence, limits_);
-    refill_cracks(complex_, ground_, result.kept, grown.kept);
+    report.after = refill_cracks(complex_, ground_, result.kept, grown.kept);
     result.kept = std::move(grown.kept);
     report.joins = std::move(grown.joins);
     report.domes = std::move(grown.domes);
-    report.after = count_topology(complex_, ground_, result.kept);
     return result;
   }
 
