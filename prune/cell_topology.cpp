@@ -1,6 +1,6 @@
 #include "cell_topology.h"
 
-#include <array>
+#include <algorithm>
 
 #include "disjoint_sets.h"
 #include "links.h"
@@ -27,10 +27,13 @@ class CellSurface {
     topology.genus = static_cast<std::uint32_t>(components - (topology.euler + topology.curves) / 2);
     topology.outsides = components + 1 - topology.bodies;
     topology.bare = size() - first_bare_;
-    if (any_doubt_) topology.bad_links = count_bad_links(complex_, kept_, doubtful_);
+    topology.bad_links = bad_links();
   }
 
  private:
+  /// Of a vertex, by rising certainty.
+  enum class Link : std::uint8_t { good, doubtful, bad, counted };
+
   std::uint32_t size() const { return static_cast<std::uint32_t>(facets_.size()); }
 
   void collect() {
@@ -96,7 +99,7 @@ class CellSurface {
     seen_.assign(mate_.size(), 0);
     last_umbrella_at_.assign(complex_.vertex_count, 0);
     last_spoke_at_.assign(complex_.vertex_count, 0);
-    doubtful_.assign(complex_.vertex_count, 0);
+    links_.assign(complex_.vertex_count, Link::good);
     for (std::uint32_t side = 0; side < mate_.size(); ++side) {
       if (mate_[side] != kNone || seen_[side] != 0) continue;
       ++topology.curves;
@@ -111,7 +114,7 @@ class CellSurface {
   /// Through the umbrella at the end of an unpaired side, to the unpaired side that leaves it.
   std::uint32_t walk_open(std::uint32_t end) {
     const std::uint32_t v = to(end);
-    open_umbrella(v);
+    start_umbrella(v, Link::doubtful);
     seen_[end] = 1;
     spoke(v, from_[end]);
     for (end = next(end); mate_[end] != kNone; end = next(mate_[end])) {
@@ -124,29 +127,47 @@ class CellSurface {
 
   void walk_closed(std::uint32_t side) {
     const std::uint32_t v = from_[side];
-    open_umbrella(v);
+    start_umbrella(v, Link::bad);
     for (; seen_[side] == 0; side = next(mate_[side])) {
       seen_[side] = 1;
       spoke(v, to(side));
     }
   }
 
-  /// The link of a vertex is good where the solid ends in one umbrella that has every edge once: then one
-  /// circle parts the extended link, a part of a sphere, from the rest of that. Else it is looked at closely.
-  void open_umbrella(std::uint32_t v) {
+  /// The extended link of a vertex is a part of a sphere, bounded by circles: one for each closed umbrella,
+  /// and one for the open ones and what of the sections is between them, if that is one fan. So it is good
+  /// where there is one umbrella that has every edge once. With several open ones it takes a close look.
+  void start_umbrella(std::uint32_t v, Link several) {
     ++umbrellas_;
-    if (last_umbrella_at_[v] != 0) doubt(v);
+    if (last_umbrella_at_[v] != 0) worsen(v, several);
     last_umbrella_at_[v] = umbrellas_;
   }
 
   void spoke(std::uint32_t v, std::uint32_t to) {
-    if (last_spoke_at_[to] == umbrellas_) doubt(v);
+    if (last_spoke_at_[to] == umbrellas_) worsen(v, Link::bad);
     last_spoke_at_[to] = umbrellas_;
   }
 
-  void doubt(std::uint32_t v) {
-    doubtful_[v] = 1;
-    any_doubt_ = true;
+  void worsen(std::uint32_t v, Link link) {
+    links_[v] = std::max(links_[v], link);
+    all_good_ = false;
+  }
+
+  /// Where no tetrahedron is kept at a bad link, the section is bare, and that does not count.
+  std::uint32_t bad_links() {
+    if (all_good_) return 0;
+    std::uint32_t bad = 0;
+    for (std::uint32_t side = 0; side < 3 * first_bare_; ++side) {
+      Link& link = links_[from_[side]];
+      if (link != Link::bad) continue;
+      ++bad;
+      link = Link::counted;
+    }
+    std::vector<std::uint8_t> doubtful;
+    for (const Link link : links_) doubtful.push_back(link == Link::doubtful ? 1 : 0);
+    if (std::count(doubtful.begin(), doubtful.end(), 1) != 0)
+      bad += count_bad_links(complex_, kept_, doubtful);
+    return bad;
   }
 
   /// Counts those without boundary as voids.
@@ -187,8 +208,8 @@ class CellSurface {
   std::uint32_t umbrellas_ = 0;      ///< so far; they count from 1
   std::vector<std::uint8_t> seen_;   ///< by side: in the umbrella where it starts, or ends if it has no mate
   std::vector<std::uint32_t> last_umbrella_at_, last_spoke_at_;  ///< by vertex
-  std::vector<std::uint8_t> doubtful_;                           ///< by vertex
-  bool any_doubt_ = false;
+  std::vector<Link> links_;                                      ///< by vertex
+  bool all_good_ = true;
 };
 
 /// Numbers of the connected parts of the kept tetrahedra, across facets; kNone elsewhere.

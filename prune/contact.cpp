@@ -1,6 +1,7 @@
 #include "contact.h"
 
 #include <algorithm>
+#include <bit>
 
 namespace crossloft {
 
@@ -65,9 +66,7 @@ unsigned GrowingSolid::glued_facets(std::uint32_t t) const {
 
 /// Where the solid around the edge between facets i and j of t ends, starting across i.
 Facet GrowingSolid::end_of_turn(std::uint32_t t, unsigned i, unsigned j) const {
-  const unsigned both = (1U << i) | (1U << j);
-  unsigned corner = 4;
-  while ((kCornerFacets[corner] & both) != both) ++corner;
+  const unsigned corner = 13U - kEdgeCorner[i][j];  // opposite to the edge between slots i and j
   return turn_through_solid(complex_, ground_, kept_, {t, static_cast<std::uint8_t>(i)}, corner);
 }
 
@@ -105,6 +104,12 @@ bool GrowingSolid::closes_edge(std::uint32_t t, unsigned i, unsigned j) const {
 Contact GrowingSolid::contact(std::uint32_t t) {
   Contact contact;
   contact.facets = glued_facets(t);
+  if (std::has_single_bit(contact.facets)) {  // a disk, whatever is around
+    const auto i = static_cast<unsigned>(std::countr_zero(contact.facets));
+    contact.bodies[i] = body_across(t, i);
+    contact.parts = 1;
+    return contact;
+  }
   std::array<unsigned, 4> part{0, 1, 2, 3};  // of each facet of the contact: its smallest one
   const auto unite = [&](unsigned i, unsigned j) {
     const auto [low, high] = std::minmax({part[i], part[j]});

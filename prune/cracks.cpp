@@ -14,38 +14,32 @@ using Crack = std::vector<std::uint32_t>;
 
 /// Parts of what is allowed but not kept; tetrahedra that share a vertex
 /// (`wide`) or a facet are in one part.
-std::vector<Crack> find_cracks(const CellComplex &complex,
-                               const std::vector<std::uint8_t> &allowed,
-                               const std::vector<std::uint8_t> &kept,
-                               bool wide) {
+std::vector<Crack> find_cracks(const CellComplex& complex, const std::vector<std::uint8_t>& allowed,
+                               const std::vector<std::uint8_t>& kept, bool wide) {
   const std::uint32_t n = complex.mesh.size();
   std::vector<std::uint32_t> open;
   for (std::uint32_t t = 0; t < n; ++t)
-    if (allowed[t] != 0 && kept[t] == 0)
-      open.push_back(t);
+    if (allowed[t] != 0 && kept[t] == 0) open.push_back(t);
   std::sort(open.begin(), open.end(), [&](std::uint32_t a, std::uint32_t b) {
     return sorted_vertices(complex.mesh, a) < sorted_vertices(complex.mesh, b);
   });
   DisjointSets parts(open.size());
-  std::vector<std::uint32_t> place(n, kNone),
-      at_vertex(complex.vertex_count, kNone);
+  std::vector<std::uint32_t> place(n, kNone), at_vertex(complex.vertex_count, kNone);
   for (std::uint32_t i = 0; i < open.size(); ++i) {
     place[open[i]] = i;
     if (wide)
       for (const std::uint32_t v : complex.mesh.vertices[open[i]]) {
-        if (at_vertex[v] == kNone)
-          at_vertex[v] = i;
+        if (at_vertex[v] == kNone) at_vertex[v] = i;
         parts.join(i, at_vertex[v]);
       }
   }
   for (std::uint32_t i = 0; i < open.size(); ++i)
     for (const std::uint32_t other : complex.mesh.neighbours[open[i]])
-      if (other != kNone && place[other] != kNone)
-        parts.join(i, place[other]);
+      if (other != kNone && place[other] != kNone) parts.join(i, place[other]);
   std::vector<Crack> cracks;
   std::vector<std::uint32_t> number(open.size(), kNone);
   for (std::uint32_t i = 0; i < open.size(); ++i) {
-    std::uint32_t &k = number[parts.find(i)];
+    std::uint32_t& k = number[parts.find(i)];
     if (k == kNone) {
       k = static_cast<std::uint32_t>(cracks.size());
       cracks.emplace_back();
@@ -56,29 +50,25 @@ std::vector<Crack> find_cracks(const CellComplex &complex,
 }
 
 /// The solid is as it was but for what is filled.
-bool is_as_good(const CellTopology &now, const CellTopology &before) {
-  return now.genus <= before.genus && now.voids <= before.voids &&
-         now.bodies == before.bodies && now.outsides <= before.outsides;
+bool is_as_good(const CellTopology& now, const CellTopology& before) {
+  return now.genus <= before.genus && now.voids <= before.voids && now.bodies == before.bodies &&
+         now.outsides <= before.outsides;
 }
 
 /// Vertices where sections touch: the umbrellas there can change how boundary
 /// curves follow each other.
-std::vector<std::uint8_t> touching_vertices(const CellComplex &complex,
-                                            const Ground &ground) {
+std::vector<std::uint8_t> touching_vertices(const CellComplex& complex, const Ground& ground) {
   std::vector<std::uint8_t> ends(complex.vertex_count, 0);
   for (std::uint32_t g = 0; g < ground.size(); ++g)
     for (unsigned k = 0; k < 3; ++k) {
-      if (ground.neighbour(g, k) != kNone)
-        continue;
-      const Facet &f = ground.facet(g);
+      if (ground.neighbour(g, k) != kNone) continue;
+      const Facet& f = ground.facet(g);
       for (const unsigned end : {k, (k + 1) % 3}) {
-        std::uint8_t &count =
-            ends[complex.mesh.vertices[f.tet][kFacetSlots[f.facet][end]]];
+        std::uint8_t& count = ends[complex.mesh.vertices[f.tet][kFacetSlots[f.facet][end]]];
         count = static_cast<std::uint8_t>(std::min(count + 1, 3));
       }
     }
-  for (std::uint8_t &count : ends)
-    count = count > 2 ? 1 : 0;
+  for (std::uint8_t& count : ends) count = count > 2 ? 1 : 0;
   return ends;
 }
 
@@ -95,15 +85,16 @@ std::vector<std::uint8_t> touching_vertices(const CellComplex &complex,
 /// closed: whose facets all lead to the solid. So a sum above 0, or below what
 /// closed cracks there are, rules a set out, and so does a change of bodies.
 class Refill {
-public:
-  Refill(const CellComplex &complex, const Ground &ground,
-         const std::vector<std::uint8_t> &kept)
-      : complex_(complex), ground_(ground), solid_(complex, ground),
+ public:
+  Refill(const CellComplex& complex, const Ground& ground, const std::vector<std::uint8_t>& kept)
+      : complex_(complex),
+        ground_(ground),
+        solid_(complex, ground),
         topology_(count_topology(complex, ground, kept)),
-        touching_(touching_vertices(complex, ground)), closes_(kept.size(), 0) {
+        touching_(touching_vertices(complex, ground)),
+        closes_(kept.size(), 0) {
     for (std::uint32_t t = 0; t < kept.size(); ++t)
-      if (kept[t] != 0)
-        solid_.add(t);
+      if (kept[t] != 0) solid_.add(t);
   }
 
   /// Of the cracks across facets. A part of the outside that is made of cracks
@@ -111,8 +102,7 @@ public:
   void find_closed(std::span<const Crack> cracks) {
     std::vector<std::uint32_t> crack_of(closes_.size(), kNone);
     for (std::uint32_t c = 0; c < cracks.size(); ++c)
-      for (const std::uint32_t t : cracks[c])
-        crack_of[t] = c;
+      for (const std::uint32_t t : cracks[c]) crack_of[t] = c;
     DisjointSets parts(cracks.size());
     std::vector<std::uint8_t> opens(cracks.size(), 0);
     for (std::uint32_t c = 0; c < cracks.size(); ++c)
@@ -124,30 +114,27 @@ public:
             parts.join(c, crack_of[n]);
           }
         });
-    for (std::uint32_t c = 0; c < cracks.size(); ++c)
-      opens[parts.find(c)] |= opens[c];
+    for (std::uint32_t c = 0; c < cracks.size(); ++c) opens[parts.find(c)] |= opens[c];
     for (std::uint32_t c = 0; c < cracks.size(); ++c)
       closes_[cracks[c][0]] = parts.is_root(c) && opens[c] == 0 ? 1 : 0;
   }
 
   void run(std::span<const Crack> cracks) {
     std::vector<std::span<const Crack>> next;
-    if (!cracks.empty())
-      next.push_back(cracks);
+    if (!cracks.empty()) next.push_back(cracks);
     while (!next.empty() && trials_ < kMostTrials) {
       const std::span<const Crack> set = next.back();
       next.pop_back();
-      if (fill(set) || set.size() == 1)
-        continue;
+      if (fill(set) || set.size() == 1) continue;
       next.push_back(set.subspan(set.size() / 2));
       next.push_back(set.first(set.size() / 2));
     }
   }
 
-  const std::vector<std::uint8_t> &kept() const { return solid_.kept(); }
-  const CellTopology &topology() const { return topology_; }
+  const std::vector<std::uint8_t>& kept() const { return solid_.kept(); }
+  const CellTopology& topology() const { return topology_; }
 
-private:
+ private:
   static constexpr int kMostTrials = 40;
 
   bool fill(std::span<const Crack> set) {
@@ -157,8 +144,7 @@ private:
     if (good) {
       const CellTopology now = count_topology(complex_, ground_, solid_.kept());
       good = is_as_good(now, topology_);
-      if (good)
-        topology_ = now;
+      if (good) topology_ = now;
     }
     solid_.end_trial(good);
     return good;
@@ -166,7 +152,8 @@ private:
 
   /// Visits what is outside across a facet of t, or beyond the solid at an edge
   /// of a facet; kNone is beyond the hull.
-  template <class Visit> void for_outside(std::uint32_t t, Visit visit) const {
+  template <class Visit>
+  void for_outside(std::uint32_t t, Visit visit) const {
     for (std::uint8_t i = 0; i < 4; ++i) {
       const std::uint32_t n = complex_.mesh.neighbours[t][i];
       if (n == kNone ? !ground_.is_ground(t, i) : !solid_.has(n)) {
@@ -174,14 +161,10 @@ private:
         continue;
       }
       for (unsigned corner = 4; corner < kCorners; ++corner) {
-        if (!facet_contains(i, corner))
-          continue;
-        const Facet end = turn_through_solid(complex_, ground_, solid_.kept(),
-                                             {t, i}, corner);
+        if (!facet_contains(i, corner)) continue;
+        const Facet end = turn_through_solid(complex_, ground_, solid_.kept(), {t, i}, corner);
         if (end.tet != kNone)
-          visit(solid_.has(end.tet)
-                    ? complex_.mesh.neighbours[end.tet][end.facet]
-                    : end.tet);
+          visit(solid_.has(end.tet) ? complex_.mesh.neighbours[end.tet][end.facet] : end.tet);
       }
     }
   }
@@ -190,48 +173,41 @@ private:
   bool add(std::span<const Crack> set) {
     int change = 0, bodies = 0, closed = 0;
     bool touches = false;
-    for (const Crack &crack : set)
+    for (const Crack& crack : set)
       for (const std::uint32_t t : crack) {
         const Contact contact = solid_.contact(t);
         change += contact.change();
         bodies += 1 - contact.different_bodies();
         closed += closes_[t];
-        for (const std::uint32_t v : complex_.mesh.vertices[t])
-          touches |= touching_[v] != 0;
+        for (const std::uint32_t v : complex_.mesh.vertices[t]) touches |= touching_[v] != 0;
         solid_.add(t);
       }
-    if (bodies != 0)
-      return false;
-    return touches || topology_.genus != 0 ||
-           (change <= 0 && change >= -closed);
+    if (bodies != 0) return false;
+    return touches || topology_.genus != 0 || (change <= 0 && change >= -closed);
   }
 
-  const CellComplex &complex_;
-  const Ground &ground_;
+  const CellComplex& complex_;
+  const Ground& ground_;
   GrowingSolid solid_;
   CellTopology topology_;
-  std::vector<std::uint8_t> touching_; ///< by vertex
-  std::vector<std::uint8_t>
-      closes_; ///< by tetrahedron: the first one of a closed crack
+  std::vector<std::uint8_t> touching_;  ///< by vertex
+  std::vector<std::uint8_t> closes_;    ///< by tetrahedron: the first one of a closed crack
   int trials_ = 0;
 };
 
-} // namespace
+}  // namespace
 
-CellTopology refill_cracks(const CellComplex &complex, const Ground &ground,
-                           const std::vector<std::uint8_t> &allowed,
-                           std::vector<std::uint8_t> &kept) {
+CellTopology refill_cracks(const CellComplex& complex, const Ground& ground,
+                           const std::vector<std::uint8_t>& allowed, std::vector<std::uint8_t>& kept) {
   std::vector<Crack> cracks = find_cracks(complex, allowed, kept, false);
-  if (cracks.empty())
-    return count_topology(complex, ground, kept);
+  if (cracks.empty()) return count_topology(complex, ground, kept);
   Refill refill(complex, ground, kept);
   refill.find_closed(cracks);
   refill.run(find_cracks(complex, allowed, kept, true));
-  std::erase_if(
-      cracks, [&](const Crack &crack) { return refill.kept()[crack[0]] != 0; });
+  std::erase_if(cracks, [&](const Crack& crack) { return refill.kept()[crack[0]] != 0; });
   refill.run(cracks);
   kept = refill.kept();
   return refill.topology();
 }
 
-} // namespace crossloft
+}  // namespace crossloft

@@ -36,8 +36,8 @@ class DisjointSets {
     return x;
   }
 
-  /// Takes back a join by which x has lost its place as a root. REQUIRES: since then root() instead of find(),
-  /// and later joins are taken back.
+  /// Takes back a join by which x has lost its place as a root. REQUIRES: since then root() instead of
+  /// find(), and later joins are taken back.
   void part(std::uint32_t x) { parent_[x] = x; }
 
   bool is_root(std::uint32_t x) const { return parent_[x] == x; }

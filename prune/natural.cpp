@@ -24,22 +24,26 @@ class NaturalPruning {
         shape_(shape),
         options_(options),
         limits_{as_integer(options.join_confidence), as_integer(options.dome_confidence), wishes},
-        ground_(complex) {}
+        ground_(complex),
+        confidence_(complex.mesh.size(), -kCertain) {}
 
   NaturalResult run(const std::vector<std::uint8_t>& r1) {
-    const std::vector<std::int32_t> confidence = confidences(complex_, shape_, r1);
+    const ConfidenceMeter meter(complex_, ground_, shape_);
+    measure(meter, r1, false);
     EnergyWeights weights;
     weights.smooth = options_.smooth_weight;
     NaturalResult result;
-    result.kept = cheapest_solid(complex_, shape_, r1, confidence, weights);
+    result.kept = cheapest_solid(complex_, shape_, r1, confidence_, weights);
     result.r2 = static_cast<std::uint32_t>(std::count(result.kept.begin(), result.kept.end(), 1));
     NaturalReport& report = result.report;
     report.before = report.after = count_topology(complex_, ground_, result.kept);
-    if (report.before.bodies < report.before.sections)
-      report.joins = find_joins(complex_, ground_, result.kept, confidence);
-    if (is_good(report, result.kept)) return result;
+    const bool joins = report.before.bodies < report.before.sections;
+    if (!joins && is_good(report, result.kept)) return result;
+    measure(meter, result.kept, true);
+    if (joins) report.joins = find_joins(complex_, ground_, result.kept, confidence_);
+    if (joins && is_good(report, result.kept)) return result;
     report.grown = true;
-    GrowthResult grown = grow_simply(complex_, ground_, result.kept, confidence, limits_);
+    GrowthResult grown = grow_simply(complex_, ground_, result.kept, confidence_, limits_);
     report.after = refill_cracks(complex_, ground_, result.kept, grown.kept);
     result.kept = std::move(grown.kept);
     report.joins = std::move(grown.joins);
@@ -48,6 +52,12 @@ class NaturalPruning {
   }
 
  private:
+  /// The cut does not ask how likely tied tetrahedra are: they are measured where joins or growth do.
+  void measure(const ConfidenceMeter& meter, const std::vector<std::uint8_t>& wanted, bool tied) {
+    for (std::uint32_t t = 0; t < wanted.size(); ++t)
+      if (wanted[t] != 0 && is_tied_to_sections(complex_, t) == tied) confidence_[t] = meter.measure(t);
+  }
+
   /// Nothing that growth could decide otherwise.
   bool is_good(const NaturalReport& report, const std::vector<std::uint8_t>& kept) const {
     const CellTopology& t = report.before;
@@ -61,6 +71,7 @@ class NaturalPruning {
   const NaturalOptions& options_;
   const GrowthLimits limits_;
   const Ground ground_;
+  std::vector<std::int32_t> confidence_;
 };
 
 }  // namespace
