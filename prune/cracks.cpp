@@ -12,8 +12,7 @@ namespace {
 
 using Crack = std::vector<std::uint32_t>;
 
-/// Parts of what is allowed but not kept; tetrahedra that share a vertex
-/// (`wide`) or a facet are in one part.
+/// Parts of what is allowed but not kept; tetrahedra that share a vertex (`wide`) or a facet are in one part.
 std::vector<Crack> find_cracks(const CellComplex& complex, const std::vector<std::uint8_t>& allowed,
                                const std::vector<std::uint8_t>& kept, bool wide) {
   const std::uint32_t n = complex.mesh.size();
@@ -55,8 +54,7 @@ bool is_as_good(const CellTopology& now, const CellTopology& before) {
          now.outsides <= before.outsides;
 }
 
-/// Vertices where sections touch: the umbrellas there can change how boundary
-/// curves follow each other.
+/// Vertices where sections touch: the umbrellas there can change how boundary curves follow each other.
 std::vector<std::uint8_t> touching_vertices(const CellComplex& complex, const Ground& ground) {
   std::vector<std::uint8_t> ends(complex.vertex_count, 0);
   for (std::uint32_t g = 0; g < ground.size(); ++g)
@@ -72,51 +70,32 @@ std::vector<std::uint8_t> touching_vertices(const CellComplex& complex, const Gr
   return ends;
 }
 
-/// Sets of cracks are tried as a whole, then by halves where that is not good:
-/// few are bad.
+/// Sets of cracks are tried as a whole, then by halves where that is not good: few are bad.
 ///
-/// A set changes euler + curves of S by twice the sum of what its tetrahedra
-/// change in the solid (simple_growth.h), unless sections touch there. While
-/// the cell has no handle,
-///     genus = components - (euler + curves) / 2 and components = bodies +
-///     outsides - 1
-/// leave a good set nothing but to change `outsides` by that sum. Parts of the
-/// outside can't come together, and one vanishes only with a crack that is
-/// closed: whose facets all lead to the solid. So a sum above 0, or below what
-/// closed cracks there are, rules a set out, and so does a change of bodies.
+/// A set changes euler + curves of S by twice the sum of what its tetrahedra change in the solid
+/// (simple_growth.h), unless sections touch there. While the cell has no handle,
+///     genus = components - (euler + curves) / 2 and components = bodies + outsides - 1
+/// leave a good set nothing but to change `outsides` by that sum. Parts of the outside never come together,
+/// and one vanishes only with all cracks that it consists of. So a sum above 0, or below what parts of cracks
+/// alone there are, rules a set out, and so does a change of bodies.
 class Refill {
  public:
-  Refill(const CellComplex& complex, const Ground& ground, const std::vector<std::uint8_t>& kept)
+  /// `cracks`: those across facets.
+  Refill(const CellComplex& complex, const Ground& ground, const std::vector<std::uint8_t>& kept,
+         const std::vector<Crack>& cracks)
       : complex_(complex),
         ground_(ground),
+        cracks_(cracks),
         solid_(complex, ground),
         topology_(count_topology(complex, ground, kept)),
         touching_(touching_vertices(complex, ground)),
-        closes_(kept.size(), 0) {
+        crack_of_(kept.size(), kNone),
+        closes_(cracks.size(), 0) {
     for (std::uint32_t t = 0; t < kept.size(); ++t)
       if (kept[t] != 0) solid_.add(t);
-  }
-
-  /// Of the cracks across facets. A part of the outside that is made of cracks
-  /// alone closes with its first one.
-  void find_closed(std::span<const Crack> cracks) {
-    std::vector<std::uint32_t> crack_of(closes_.size(), kNone);
     for (std::uint32_t c = 0; c < cracks.size(); ++c)
-      for (const std::uint32_t t : cracks[c]) crack_of[t] = c;
-    DisjointSets parts(cracks.size());
-    std::vector<std::uint8_t> opens(cracks.size(), 0);
-    for (std::uint32_t c = 0; c < cracks.size(); ++c)
-      for (const std::uint32_t t : cracks[c])
-        for_outside(t, [&](std::uint32_t n) {
-          if (n == kNone || crack_of[n] == kNone) {
-            opens[c] = 1;
-          } else {
-            parts.join(c, crack_of[n]);
-          }
-        });
-    for (std::uint32_t c = 0; c < cracks.size(); ++c) opens[parts.find(c)] |= opens[c];
-    for (std::uint32_t c = 0; c < cracks.size(); ++c)
-      closes_[cracks[c][0]] = parts.is_root(c) && opens[c] == 0 ? 1 : 0;
+      for (const std::uint32_t t : cracks[c]) crack_of_[t] = c;
+    find_closed();
   }
 
   void run(std::span<const Crack> cracks) {
@@ -137,6 +116,28 @@ class Refill {
  private:
   static constexpr int kMostTrials = 40;
 
+  bool is_filled(const Crack& crack) const { return solid_.has(crack[0]); }
+
+  /// Marks the first crack of each part of the outside that consists of open cracks alone.
+  void find_closed() {
+    DisjointSets parts(cracks_.size());
+    std::vector<std::uint8_t> opens(cracks_.size(), 0);
+    for (std::uint32_t c = 0; c < cracks_.size(); ++c)
+      for (const std::uint32_t t : cracks_[c]) {
+        if (is_filled(cracks_[c])) continue;
+        for_outside(t, [&](std::uint32_t n) {
+          if (n == kNone || crack_of_[n] == kNone) {
+            opens[c] = 1;
+          } else {
+            parts.join(c, crack_of_[n]);
+          }
+        });
+      }
+    for (std::uint32_t c = 0; c < cracks_.size(); ++c) opens[parts.find(c)] |= opens[c];
+    for (std::uint32_t c = 0; c < cracks_.size(); ++c)
+      closes_[c] = parts.is_root(c) && opens[c] == 0 && !is_filled(cracks_[c]) ? 1 : 0;
+  }
+
   bool fill(std::span<const Crack> set) {
     ++trials_;
     solid_.begin_trial();
@@ -147,11 +148,12 @@ class Refill {
       if (good) topology_ = now;
     }
     solid_.end_trial(good);
+    if (good) find_closed();
     return good;
   }
 
-  /// Visits what is outside across a facet of t, or beyond the solid at an edge
-  /// of a facet; kNone is beyond the hull.
+  /// Visits what is outside across a facet of t, or beyond the solid at an edge of a facet; kNone is beyond
+  /// the hull.
   template <class Visit>
   void for_outside(std::uint32_t t, Visit visit) const {
     for (std::uint8_t i = 0; i < 4; ++i) {
@@ -178,7 +180,8 @@ class Refill {
         const Contact contact = solid_.contact(t);
         change += contact.change();
         bodies += 1 - contact.different_bodies();
-        closed += closes_[t];
+        const std::uint32_t c = crack_of_[t];
+        closed += cracks_[c][0] == t ? closes_[c] : 0;
         for (const std::uint32_t v : complex_.mesh.vertices[t]) touches |= touching_[v] != 0;
         solid_.add(t);
       }
@@ -188,10 +191,12 @@ class Refill {
 
   const CellComplex& complex_;
   const Ground& ground_;
+  const std::vector<Crack>& cracks_;
   GrowingSolid solid_;
   CellTopology topology_;
-  std::vector<std::uint8_t> touching_;  ///< by vertex
-  std::vector<std::uint8_t> closes_;    ///< by tetrahedron: the first one of a closed crack
+  std::vector<std::uint8_t> touching_;   ///< by vertex
+  std::vector<std::uint32_t> crack_of_;  ///< by tetrahedron
+  std::vector<std::uint8_t> closes_;     ///< by crack
   int trials_ = 0;
 };
 
@@ -199,13 +204,13 @@ class Refill {
 
 CellTopology refill_cracks(const CellComplex& complex, const Ground& ground,
                            const std::vector<std::uint8_t>& allowed, std::vector<std::uint8_t>& kept) {
-  std::vector<Crack> cracks = find_cracks(complex, allowed, kept, false);
+  const std::vector<Crack> cracks = find_cracks(complex, allowed, kept, false);
   if (cracks.empty()) return count_topology(complex, ground, kept);
-  Refill refill(complex, ground, kept);
-  refill.find_closed(cracks);
+  Refill refill(complex, ground, kept, cracks);
   refill.run(find_cracks(complex, allowed, kept, true));
-  std::erase_if(cracks, [&](const Crack& crack) { return refill.kept()[crack[0]] != 0; });
-  refill.run(cracks);
+  std::vector<Crack> open = cracks;
+  std::erase_if(open, [&](const Crack& crack) { return refill.kept()[crack[0]] != 0; });
+  refill.run(open);
   kept = refill.kept();
   return refill.topology();
 }
