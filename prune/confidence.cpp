@@ -77,6 +77,8 @@ void take_face(const FacePlane& face, const SectionRows& section, const Points& 
     const Pair height =
         face.normal.x * p.x[pair] + face.normal.y * p.y[pair] + face.normal.z * p.z[pair] + face.offset;
     const Pair square = height * height;
+    const auto nearer = square < (d.in[pair] < d.out[pair] ? d.out[pair] : d.in[pair]);
+    if ((nearer[0] | nearer[1]) == 0) continue;
     for (std::size_t k = 0; k < 2 && 2 * pair + k < kPoints; ++k) {
       const bool nearer_in = square[k] < d.in[pair][k], nearer_out = square[k] < d.out[pair][k];
       if (!nearer_in && !nearer_out) continue;

@@ -87,8 +87,10 @@ bool SectionRows::contains(Vec3 p) const {
   bool inside = false;
   for (std::uint32_t i = begin_[row]; i < begin_[row + 1]; ++i) {
     const Segment& s = contour_[i];
-    if ((s[1] <= v) == (s[3] <= v)) continue;
-    inside ^= u < s[0] + (v - s[1]) / (s[3] - s[1]) * (s[2] - s[0]);
+    // Without branches: which pieces cross the line of p can't be predicted.
+    const bool crosses = (s[1] <= v) != (s[3] <= v);
+    const bool beyond = u < s[0] + (v - s[1]) / (s[3] - s[1]) * (s[2] - s[0]);
+    inside ^= crosses & beyond;
   }
   return inside;
 }
