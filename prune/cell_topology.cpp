@@ -1,137 +1,251 @@
 #include "cell_topology.h"
 
-#include <array>
+#include <algorithm>
 
 #include "disjoint_sets.h"
+#include "links.h"
 
 namespace crossloft {
 namespace {
 
 /// S as triangles with paired sides. Triangle = a facet of a kept tetrahedron, or of the bare one above a
-/// ground triangle; its sides and corners in the order of kFacetSlots.
+/// ground triangle. Side 3 s + k of triangle s leads from its corner k to the next one, counter-clockwise
+/// seen from outside of the solid, so that paired sides run against each other.
 class CellSurface {
  public:
   CellSurface(const CellComplex& complex, const Ground& ground, const std::vector<std::uint8_t>& kept)
-      : complex_(complex), ground_(ground), kept_(kept), of_facet_(kept.size()) {
+      : complex_(complex), ground_(ground), kept_(kept), first_(kept.size()) {
     collect();
     pair_sides();
   }
 
-  std::uint32_t size() const { return static_cast<std::uint32_t>(facets_.size()); }
-  std::uint32_t bare() const { return bare_; }
-
   void count(CellTopology& topology) {
-    const std::uint32_t components = components_.count();
-    const auto edges = (3 * std::int64_t{size()} + static_cast<std::int64_t>(ends_.size())) / 2;
-    const std::int64_t euler = std::int64_t{corners_.count()} - edges + size();
-    topology.euler = euler;
-    topology.curves = curves();
-    topology.genus = static_cast<std::uint32_t>(components - (euler + topology.curves) / 2);
+    walk_umbrellas(topology);
+    const auto edges = (3 * std::int64_t{size()} + ends_) / 2;
+    topology.euler = std::int64_t{umbrellas_} - edges + size();
+    const std::uint32_t components = count_components(topology);
+    topology.genus = static_cast<std::uint32_t>(components - (topology.euler + topology.curves) / 2);
     topology.outsides = components + 1 - topology.bodies;
-    std::vector<std::uint8_t> has_boundary(size(), 0);
-    std::uint32_t open = 0;
-    for (const std::uint32_t side : ends_) {
-      std::uint8_t& seen = has_boundary[components_.find(side / 3)];
-      open += seen == 0 ? 1U : 0U;
-      seen = 1;
-    }
-    topology.voids = components - open;
+    topology.bare = size() - first_bare_;
+    topology.bad_links = bad_links();
   }
 
  private:
+  /// Of a vertex, by rising certainty.
+  enum class Link : std::uint8_t { good, doubtful, bad, counted };
+
+  std::uint32_t size() const { return static_cast<std::uint32_t>(facets_.size()); }
+
   void collect() {
-    for (std::uint32_t t = 0; t < kept_.size(); ++t)
+    for (std::uint32_t t = 0; t < kept_.size(); ++t) {
+      if (kept_[t] == 0) continue;
+      first_[t] = size();
       for (std::uint8_t i = 0; i < 4; ++i) {
-        of_facet_[t][i] = kNone;
         const std::uint32_t n = complex_.mesh.neighbours[t][i];
-        const bool on_ground = ground_.is_ground(t, i);
-        const bool ends_here = kept_[t] != 0 ? !on_ground && (n == kNone || kept_[n] == 0) : on_ground;
-        if (!ends_here) continue;
-        of_facet_[t][i] = size();
-        facets_.push_back({t, i});
-        bare_ += on_ground ? 1U : 0U;
+        if (n == kNone ? !ground_.is_ground(t, i) : kept_[n] == 0) facets_.push_back({t, i});
       }
+    }
+    first_bare_ = size();
+    for (std::uint32_t g = 0; g < ground_.size(); ++g) {
+      const Facet& f = ground_.facet(g);
+      if (kept_[f.tet] != 0) continue;
+      if (size() == first_bare_ || facets_.back().tet != f.tet) first_[f.tet] = size();
+      facets_.push_back(f);
+    }
   }
+
+  /// Slot of corner k in the triangle's tetrahedron. From a bare one the outside is seen the other way round.
+  unsigned slot(std::uint32_t s, unsigned k) const {
+    return kFacetSlots[facets_[s].facet][s < first_bare_ ? k : 2 - k];
+  }
+
+  static std::uint32_t next(std::uint32_t side) { return side % 3 == 2 ? side - 2 : side + 1; }
+  std::uint32_t to(std::uint32_t side) const { return from_[next(side)]; }
 
   /// Sides are paired through the solid, as in gluing.
   void pair_sides() {
-    corners_.reset(std::size_t{3} * size());
-    components_.reset(size());
+    from_.reserve(std::size_t{3} * size());
     for (std::uint32_t s = 0; s < size(); ++s)
-      for (unsigned k = 0; k < 3; ++k) {
-        const auto& slots = kFacetSlots[facets_[s].facet];
-        const unsigned corner = kEdgeCorner[slots[k]][slots[(k + 1) % 3]];
-        const Facet mate = across(facets_[s], corner);
-        if (mate.tet == kNone) {
-          ends_.push_back(3 * s + k);
-        } else {
-          join(s, k, mate);
-        }
+      for (unsigned k = 0; k < 3; ++k) from_.push_back(complex_.mesh.vertices[facets_[s].tet][slot(s, k)]);
+    mate_.assign(from_.size(), kNone);
+    for (std::uint32_t side = 0; side < mate_.size(); ++side) {
+      if (mate_[side] != kNone) continue;
+      const std::uint32_t s = side / 3;
+      const Facet end = across(s, kEdgeCorner[slot(s, side % 3)][slot(s, next(side) % 3)]);
+      if (end.tet == kNone) {
+        ++ends_;
+      } else {
+        mate_[side] = side_from(end, to(side));
+        mate_[mate_[side]] = side;
       }
+    }
   }
 
-  Facet across(Facet f, unsigned corner) const {
-    if (kept_[f.tet] == 0) return turn_through_solid(complex_, ground_, kept_, f, corner);
-    return turn_through_solid(complex_, ground_, kept_, {f.tet, other_facet(f.facet, corner)}, corner);
+  Facet across(std::uint32_t s, unsigned corner) const {
+    Facet f = facets_[s];
+    if (s < first_bare_) f.facet = other_facet(f.facet, corner);
+    return turn_through_solid(complex_, ground_, kept_, f, corner);
   }
 
-  void join(std::uint32_t s, unsigned k, Facet mate) {
-    const std::uint32_t m = of_facet_[mate.tet][mate.facet];
-    components_.join(s, m);
-    const auto& here = complex_.mesh.vertices[facets_[s].tet];
-    const auto& there = complex_.mesh.vertices[mate.tet];
-    for (const unsigned end : {k, (k + 1) % 3}) {
-      const std::uint32_t v = here[kFacetSlots[facets_[s].facet][end]];
-      for (unsigned j = 0; j < 3; ++j)
-        if (there[kFacetSlots[mate.facet][j]] == v) corners_.join(3 * s + end, 3 * m + j);
+  /// The side of a facet of S that starts at vertex v.
+  std::uint32_t side_from(Facet f, std::uint32_t v) const {
+    std::uint32_t s = first_[f.tet];
+    while (facets_[s].facet != f.facet) ++s;
+    return 3 * s + (from_[3 * s] == v ? 0U : from_[3 * s + 1] == v ? 1U : 2U);
+  }
+
+  /// Open umbrellas along the boundary curves, then closed ones.
+  void walk_umbrellas(CellTopology& topology) {
+    seen_.assign(mate_.size(), 0);
+    last_umbrella_at_.assign(complex_.vertex_count, 0);
+    last_spoke_at_.assign(complex_.vertex_count, 0);
+    links_.assign(complex_.vertex_count, Link::good);
+    for (std::uint32_t side = 0; side < mate_.size(); ++side) {
+      if (mate_[side] != kNone || seen_[side] != 0) continue;
+      ++topology.curves;
+      std::uint32_t end = side;
+      do end = walk_open(end);
+      while (end != side);
+    }
+    for (std::uint32_t side = 0; side < mate_.size(); ++side)
+      if (seen_[side] == 0) walk_closed(side);
+  }
+
+  /// Through the umbrella at the end of an unpaired side, to the unpaired side that leaves it.
+  std::uint32_t walk_open(std::uint32_t end) {
+    const std::uint32_t v = to(end);
+    start_umbrella(v, Link::doubtful);
+    seen_[end] = 1;
+    spoke(v, from_[end]);
+    for (end = next(end); mate_[end] != kNone; end = next(mate_[end])) {
+      seen_[end] = 1;
+      spoke(v, to(end));
+    }
+    spoke(v, to(end));
+    return end;
+  }
+
+  void walk_closed(std::uint32_t side) {
+    const std::uint32_t v = from_[side];
+    start_umbrella(v, Link::bad);
+    for (; seen_[side] == 0; side = next(mate_[side])) {
+      seen_[side] = 1;
+      spoke(v, to(side));
     }
   }
 
-  /// Boundary curves: unpaired sides that follow each other. An umbrella has none or two of them.
-  std::uint32_t curves() {
-    DisjointSets sets(ends_.size());
-    std::vector<std::uint32_t> first(std::size_t{3} * size(), kNone);  // by umbrella
-    for (std::uint32_t e = 0; e < ends_.size(); ++e) {
-      const std::uint32_t s = ends_[e] / 3, k = ends_[e] % 3;
-      for (const std::uint32_t end : {k, (k + 1) % 3}) {
-        std::uint32_t& other = first[corners_.find(3 * s + end)];
-        if (other == kNone) {
-          other = e;
-        } else {
-          sets.join(e, other);
+  /// The extended link of a vertex is a part of a sphere, bounded by circles: one for each closed umbrella,
+  /// and one for the open ones and what of the sections is between them, if that is one fan. So it is good
+  /// where there is one umbrella that has every edge once. With several open ones it takes a close look.
+  void start_umbrella(std::uint32_t v, Link several) {
+    ++umbrellas_;
+    if (last_umbrella_at_[v] != 0) worsen(v, several);
+    last_umbrella_at_[v] = umbrellas_;
+  }
+
+  void spoke(std::uint32_t v, std::uint32_t to) {
+    if (last_spoke_at_[to] == umbrellas_) worsen(v, Link::bad);
+    last_spoke_at_[to] = umbrellas_;
+  }
+
+  void worsen(std::uint32_t v, Link link) {
+    links_[v] = std::max(links_[v], link);
+    all_good_ = false;
+  }
+
+  /// Where no tetrahedron is kept at a bad link, the section is bare, and that does not count.
+  std::uint32_t bad_links() {
+    if (all_good_) return 0;
+    std::uint32_t bad = 0;
+    for (std::uint32_t side = 0; side < 3 * first_bare_; ++side) {
+      Link& link = links_[from_[side]];
+      if (link != Link::bad) continue;
+      ++bad;
+      link = Link::counted;
+    }
+    std::vector<std::uint8_t> doubtful;
+    for (const Link link : links_) doubtful.push_back(link == Link::doubtful ? 1 : 0);
+    if (std::count(doubtful.begin(), doubtful.end(), 1) != 0)
+      bad += count_bad_links(complex_, kept_, doubtful);
+    return bad;
+  }
+
+  /// Counts those without boundary as voids.
+  std::uint32_t count_components(CellTopology& topology) {
+    std::uint32_t components = 0;
+    std::vector<std::uint8_t> found(size(), 0);
+    std::vector<std::uint32_t> stack;
+    for (std::uint32_t start = 0; start < size(); ++start) {
+      if (found[start] != 0) continue;
+      ++components;
+      bool has_boundary = false;
+      found[start] = 1;
+      for (stack.assign(1, start); !stack.empty();) {
+        const std::uint32_t s = stack.back();
+        stack.pop_back();
+        for (unsigned k = 0; k < 3; ++k) {
+          const std::uint32_t mate = mate_[3 * s + k];
+          has_boundary |= mate == kNone;
+          if (mate == kNone || found[mate / 3] != 0) continue;
+          found[mate / 3] = 1;
+          stack.push_back(mate / 3);
         }
       }
+      topology.voids += has_boundary ? 0U : 1U;
     }
-    return sets.count();
+    return components;
   }
 
   const CellComplex& complex_;
   const Ground& ground_;
   const std::vector<std::uint8_t>& kept_;
-  std::vector<std::array<std::uint32_t, 4>> of_facet_;
-  std::vector<Facet> facets_;
-  std::vector<std::uint32_t> ends_;  ///< unpaired sides, 3 * triangle + side
-  std::uint32_t bare_ = 0;
-  DisjointSets components_, corners_;
+  std::vector<std::uint32_t> first_;  ///< by tetrahedron with facets of S: the first of them
+  std::vector<Facet> facets_;         ///< of kept tetrahedra, then of bare ones
+  std::uint32_t first_bare_ = 0;
+  std::vector<std::uint32_t> from_;  ///< by side: the vertex where it starts
+  std::vector<std::uint32_t> mate_;  ///< by side, kNone where S ends
+  std::uint32_t ends_ = 0;           ///< sides without mate
+  std::uint32_t umbrellas_ = 0;      ///< so far; they count from 1
+  std::vector<std::uint8_t> seen_;   ///< by side: in the umbrella where it starts, or ends if it has no mate
+  std::vector<std::uint32_t> last_umbrella_at_, last_spoke_at_;  ///< by vertex
+  std::vector<Link> links_;                                      ///< by vertex
+  bool all_good_ = true;
 };
+
+/// Numbers of the connected parts of the kept tetrahedra, across facets; kNone elsewhere.
+std::uint32_t label_parts(const TetMesh& mesh, const std::vector<std::uint8_t>& kept,
+                          std::vector<std::uint32_t>& part) {
+  std::uint32_t parts = 0;
+  part.assign(kept.size(), kNone);
+  std::vector<std::uint32_t> stack;
+  for (std::uint32_t start = 0; start < kept.size(); ++start) {
+    if (kept[start] == 0 || part[start] != kNone) continue;
+    part[start] = parts;
+    for (stack.assign(1, start); !stack.empty();) {
+      const std::uint32_t t = stack.back();
+      stack.pop_back();
+      for (const std::uint32_t n : mesh.neighbours[t]) {
+        if (n == kNone || kept[n] == 0 || part[n] != kNone) continue;
+        part[n] = parts;
+        stack.push_back(n);
+      }
+    }
+    ++parts;
+  }
+  return parts;
+}
 
 std::uint32_t count_bodies(const CellComplex& complex, const Ground& ground,
                            const std::vector<std::uint8_t>& kept) {
-  const std::uint32_t n = complex.mesh.size();
-  DisjointSets bodies(std::size_t{n} + ground.size());
-  for (std::uint32_t t = 0; t < n; ++t) {
-    if (kept[t] == 0) continue;
-    for (unsigned i = 0; i < 4; ++i) {
-      const std::uint32_t other = complex.mesh.neighbours[t][i];
-      if (other != kNone && kept[other] != 0 && other < t) bodies.join(t, other);
-      if (ground.is_ground(t, i)) bodies.join(t, n + ground.at(t, i));
-    }
+  std::vector<std::uint32_t> part;
+  const std::uint32_t parts = label_parts(complex.mesh, kept, part);
+  DisjointSets bodies(std::size_t{parts} + ground.size());
+  for (std::uint32_t g = 0; g < ground.size(); ++g) {
+    bodies.join(parts + g, parts + ground.part(g));
+    const std::uint32_t above = part[ground.facet(g).tet];
+    if (above != kNone) bodies.join(above, parts + g);
   }
-  std::uint32_t count = 0;
-  for (std::uint32_t g = 0; g < ground.size(); ++g) bodies.join(n + g, n + ground.part(g));
-  for (std::uint32_t x = 0; x < n + ground.size(); ++x)
-    count += bodies.is_root(x) && (x >= n || kept[x] != 0) ? 1U : 0U;
-  return count;
+  return bodies.count();
 }
 
 }  // namespace
@@ -141,9 +255,7 @@ CellTopology count_topology(const CellComplex& complex, const Ground& ground,
   CellTopology topology;
   topology.sections = ground.part_count();
   topology.bodies = count_bodies(complex, ground, kept);
-  CellSurface surface(complex, ground, kept);
-  topology.bare = surface.bare();
-  surface.count(topology);
+  CellSurface(complex, ground, kept).count(topology);
   return topology;
 }
 

@@ -26,11 +26,12 @@ struct CellTopology {
   /// Connected parts of the rest; more than 1: a dome or wall closes one off, or a bridge where sections
   /// touch in a point, as the outside is cut at a vertex.
   std::uint32_t outsides = 0;
-  std::uint32_t voids = 0;   ///< components of S without boundary: holes or islands within the cell
-  std::uint32_t genus = 0;   ///< of S; handles that the cell itself has made
-  std::int64_t euler = 0;    ///< of S, cut apart as said
-  std::uint32_t curves = 0;  ///< boundary curves of S
-  std::uint32_t bare = 0;    ///< ground triangles without a kept tetrahedron
+  std::uint32_t voids = 0;      ///< components of S without boundary: holes or islands within the cell
+  std::uint32_t genus = 0;      ///< of S; handles that the cell itself has made
+  std::int64_t euler = 0;       ///< of S, cut apart as said
+  std::uint32_t curves = 0;     ///< boundary curves of S
+  std::uint32_t bare = 0;       ///< ground triangles without a kept tetrahedron
+  std::uint32_t bad_links = 0;  ///< vertices whose extended link is neither a disk nor a sphere (links.h)
 
   friend bool operator==(const CellTopology&, const CellTopology&) = default;
 };

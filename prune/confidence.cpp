@@ -2,94 +2,124 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
-#include "section_rows.h"
 #include "star.h"
 
 namespace crossloft {
 namespace {
 
-double squared(Vec3 a) { return dot(a, a); }
+/// Two numbers in one register; the compiler has no such type of its own.
+using Pair = double __attribute__((vector_size(16)));
 
-double squared_distance_to_segment(Vec3 p, Vec3 a, Vec3 b) {
-  const Vec3 along = b - a, from = p - a;
-  const double t = std::clamp(dot(from, along) / dot(along, along), 0.0, 1.0);
-  return squared(from - t * along);
-}
+Pair both(double x) { return Pair{x, x}; }
+Pair least_of(Pair a, Pair b) { return a < b ? a : b; }
+
+/// The points of a tetrahedron where it is measured: its centroid, then the middles from there to its
+/// vertices. By twos, with the centroid a second time as the last one.
+constexpr std::size_t kPoints = 5, kPairs = 3;
+using Lanes = std::array<Pair, kPairs>;
+
+struct Points {
+  Lanes x, y, z;
+
+  void set(std::size_t k, Vec3 p) { x[k / 2][k % 2] = p.x, y[k / 2][k % 2] = p.y, z[k / 2][k % 2] = p.z; }
+  Vec3 at(std::size_t k) const { return {x[k / 2][k % 2], y[k / 2][k % 2], z[k / 2][k % 2]}; }
+};
 
 /// Squared distances to the two parts of the cell's boundary.
 struct Distances {
-  double in, out;
+  Lanes in, out;
 };
 
-class ConfidenceMeter {
- public:
-  ConfidenceMeter(const CellComplex& complex, const CellShape& shape)
-      : complex_(complex), shape_(shape), sections_(section_rows(complex, shape)) {}
-
-  std::int32_t measure(std::uint32_t t) {
-    // Sorted, so that rounding does not depend on the order of the vertices.
-    const auto v = sorted_vertices(complex_.mesh, t);
-    const auto& p = shape_.points;
-    const Vec3 centroid = 0.25 * ((p[v[0]] + p[v[1]]) + (p[v[2]] + p[v[3]]));
-    double sum = 0.4 * at(centroid, t);
-    for (const std::uint32_t corner : v) sum += 0.15 * at(0.5 * (centroid + p[corner]), t);
-    return static_cast<std::int32_t>(std::floor(sum * kCertain + 0.5));
+/// To a vertex, which is in both parts.
+void take_vertex(const Points& p, Vec3 a, Lanes& least) {
+  for (std::size_t k = 0; k < kPairs; ++k) {
+    const Pair x = p.x[k] - a.x, y = p.y[k] - a.y, z = p.z[k] - a.z;
+    least[k] = least_of(x * x + y * y + z * z, least[k]);
   }
+}
 
- private:
-  double at(Vec3 p, std::uint32_t t) const {
-    const Distances squares = to_faces(p, to_contours(p, t));
-    const double in = std::sqrt(squares.in), out = std::sqrt(squares.out);
-    return in + out > 0 ? (out - in) / (out + in) : 0;
+void take_edge(const Points& p, Vec3 a, Vec3 b, bool is_contour, Distances& d) {
+  const Vec3 along = b - a;
+  const double length = dot(along, along);
+  for (std::size_t k = 0; k < kPairs; ++k) {
+    const Pair x = p.x[k] - a.x, y = p.y[k] - a.y, z = p.z[k] - a.z;
+    Pair t = (x * along.x + y * along.y + z * along.z) / length;
+    t = t < both(0) ? both(0) : t;
+    t = least_of(both(1), t);
+    const Pair u = x - t * along.x, v = y - t * along.y, w = z - t * along.z;
+    const Pair square = u * u + v * v + w * w;
+    d.in[k] = least_of(square, d.in[k]);
+    if (is_contour) d.out[k] = least_of(square, d.out[k]);
   }
+}
 
-  /// To the vertices, which are in both parts, and the grounded edges of t.
-  Distances to_contours(Vec3 p, std::uint32_t t) const {
-    const auto& v = complex_.mesh.vertices[t];
-    double nearest = squared(p - shape_.points[v[0]]);
-    for (unsigned i = 1; i < 4; ++i) nearest = std::min(nearest, squared(p - shape_.points[v[i]]));
-    Distances d{nearest, nearest};
-    for (unsigned e = 0; e < 6; ++e) {
-      const EdgeKind kind = complex_.edges[t][e];
-      if (kind == EdgeKind::free) continue;
-      const double s = squared_distance_to_segment(p, shape_.points[v[kEdgeSlots[e][0]]],
-                                                   shape_.points[v[kEdgeSlots[e][1]]]);
-      d.in = std::min(d.in, s);
-      if (kind == EdgeKind::contour) d.out = std::min(d.out, s);
+/// To the vertices and the grounded edges of t.
+Distances to_contours(const CellComplex& complex, const CellShape& shape, std::uint32_t t, const Points& p) {
+  const auto& v = complex.mesh.vertices[t];
+  Distances d;
+  d.in.fill(both(std::numeric_limits<double>::infinity()));
+  for (const std::uint32_t corner : v) take_vertex(p, shape.points[corner], d.in);
+  d.out = d.in;
+  for (unsigned e = 0; e < 6; ++e) {
+    const EdgeKind kind = complex.edges[t][e];
+    if (kind == EdgeKind::free) continue;
+    take_edge(p, shape.points[v[kEdgeSlots[e][0]]], shape.points[v[kEdgeSlots[e][1]]],
+              kind == EdgeKind::contour, d);
+  }
+  return d;
+}
+
+/// Asks the section only where the face is nearer than what was found before.
+void take_face(const FacePlane& face, const SectionRows& section, const Points& p, Distances& d) {
+  for (std::size_t pair = 0; pair < kPairs; ++pair) {
+    const Pair height =
+        face.normal.x * p.x[pair] + face.normal.y * p.y[pair] + face.normal.z * p.z[pair] + face.offset;
+    const Pair square = height * height;
+    const auto nearer = square < (d.in[pair] < d.out[pair] ? d.out[pair] : d.in[pair]);
+    if ((nearer[0] | nearer[1]) == 0) continue;
+    for (std::size_t k = 0; k < 2 && 2 * pair + k < kPoints; ++k) {
+      const bool nearer_in = square[k] < d.in[pair][k], nearer_out = square[k] < d.out[pair][k];
+      if (!nearer_in && !nearer_out) continue;
+      const bool in = !section.empty() && section.contains(p.at(2 * pair + k) - height[k] * face.normal);
+      if (in ? nearer_in : nearer_out) (in ? d.in : d.out)[pair][k] = square[k];
     }
-    return d;
   }
+}
 
-  Distances to_faces(Vec3 p, Distances d) const {
-    for (std::size_t f = 0; f < sections_.size(); ++f) {
-      const double height = shape_.faces[f].height(p), square = height * height;
-      if (square >= std::max(d.in, d.out)) continue;
-      if (square < d.in && square < d.out) {
-        (is_in_section(f, p, height) ? d.in : d.out) = square;
-      } else if (square < d.in) {
-        if (is_in_section(f, p, height)) d.in = square;
-      } else if (!is_in_section(f, p, height)) {
-        d.out = square;
-      }
-    }
-    return d;
+/// The mean of (out - in) / (out + in).
+std::int32_t mean_of(const Distances& d) {
+  double sum = 0;
+  for (std::size_t k = 0; k < kPoints; ++k) {
+    const double in = std::sqrt(d.in[k / 2][k % 2]), out = std::sqrt(d.out[k / 2][k % 2]);
+    sum += (k == 0 ? 0.4 : 0.15) * (in + out > 0 ? (out - in) / (out + in) : 0);
   }
-
-  bool is_in_section(std::size_t f, Vec3 p, double height) const {
-    return !sections_[f].empty() && sections_[f].contains(p - height * shape_.faces[f].normal);
-  }
-
-  const CellComplex& complex_;
-  const CellShape& shape_;
-  std::vector<SectionRows> sections_;
-};
+  return static_cast<std::int32_t>(std::floor(sum * kCertain + 0.5));
+}
 
 }  // namespace
 
+ConfidenceMeter::ConfidenceMeter(const CellComplex& complex, const Ground& ground, const CellShape& shape)
+    : complex_(complex), shape_(shape), sections_(section_rows(complex, ground, shape)) {}
+
+std::int32_t ConfidenceMeter::measure(std::uint32_t t) const {
+  // Sorted, so that rounding does not depend on the order of the vertices.
+  const auto v = sorted_vertices(complex_.mesh, t);
+  const auto& at = shape_.points;
+  const Vec3 centroid = 0.25 * ((at[v[0]] + at[v[1]]) + (at[v[2]] + at[v[3]]));
+  Points p;
+  p.set(0, centroid);
+  for (std::size_t k = 1; k < kPoints; ++k) p.set(k, 0.5 * (centroid + at[v[k - 1]]));
+  p.set(kPoints, centroid);
+  Distances d = to_contours(complex_, shape_, t, p);
+  for (std::size_t f = 0; f < sections_.size(); ++f) take_face(shape_.faces[f], sections_[f], p, d);
+  return mean_of(d);
+}
+
 std::vector<std::int32_t> confidences(const CellComplex& complex, const CellShape& shape,
                                       const std::vector<std::uint8_t>& wanted) {
-  ConfidenceMeter meter(complex, shape);
+  const ConfidenceMeter meter(complex, Ground(complex), shape);
   std::vector<std::int32_t> confidence(complex.mesh.size(), -kCertain);
   for (std::uint32_t t = 0; t < complex.mesh.size(); ++t)
     if (wanted[t] != 0) confidence[t] = meter.measure(t);

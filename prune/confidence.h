@@ -8,6 +8,7 @@
 
 #include "cell_complex.h"
 #include "cell_shape.h"
+#include "section_rows.h"
 
 namespace crossloft {
 
@@ -20,8 +21,22 @@ inline constexpr std::int32_t kCertain = 1 << 20;
 ///
 /// Distances to faces are heights, told apart by whether the foot is in the section. Those to contours are
 /// taken to the tetrahedron's own vertices and grounded edges: in a Delaunay triangulation of the contours
-/// the nearest ones are there or not far away. External tetrahedra (`wanted` 0) are left at -kCertain.
-/// O(faces) a tetrahedron, with a handful of questions to the sections.
+/// the nearest ones are there or not far away.
+class ConfidenceMeter {
+ public:
+  /// As section_rows().
+  ConfidenceMeter(const CellComplex& complex, const Ground& ground, const CellShape& shape);
+
+  /// O(faces), with a handful of questions to the sections.
+  std::int32_t measure(std::uint32_t t) const;
+
+ private:
+  const CellComplex& complex_;
+  const CellShape& shape_;
+  std::vector<SectionRows> sections_;
+};
+
+/// Of all tetrahedra; external ones (`wanted` 0) are left at -kCertain.
 std::vector<std::int32_t> confidences(const CellComplex& complex, const CellShape& shape,
                                       const std::vector<std::uint8_t>& wanted);
 

@@ -1,8 +1,19 @@
 #include "contact.h"
 
 #include <algorithm>
+#include <bit>
 
 namespace crossloft {
+
+int Contact::different_bodies() const {
+  int count = 0;
+  for (unsigned i = 0; i < 4; ++i) {
+    bool is_new = (facets >> i & 1U) != 0;
+    for (unsigned j = 0; j < i; ++j) is_new &= (facets >> j & 1U) == 0 || bodies[j] != bodies[i];
+    count += is_new ? 1 : 0;
+  }
+  return count;
+}
 
 GrowingSolid::GrowingSolid(const CellComplex& complex, const Ground& ground)
     : complex_(complex),
@@ -41,7 +52,7 @@ std::uint32_t GrowingSolid::across(std::uint32_t t, unsigned i, std::uint32_t v)
 
 std::uint32_t GrowingSolid::body_across(std::uint32_t t, unsigned i) {
   const std::uint32_t g = ground_.at(t, i);
-  return bodies_.find(g != kNone ? g : ground_.size() + complex_.mesh.neighbours[t][i]);
+  return find(bodies_, g != kNone ? g : ground_.size() + complex_.mesh.neighbours[t][i]);
 }
 
 unsigned GrowingSolid::glued_facets(std::uint32_t t) const {
@@ -55,10 +66,7 @@ unsigned GrowingSolid::glued_facets(std::uint32_t t) const {
 
 /// Where the solid around the edge between facets i and j of t ends, starting across i.
 Facet GrowingSolid::end_of_turn(std::uint32_t t, unsigned i, unsigned j) const {
-  const unsigned both = (1U << i) | (1U << j);
-  unsigned corner = 4;
-  while ((kCornerFacets[corner] & both) != both) ++corner;
-  return turn_through_solid(complex_, ground_, kept_, {t, static_cast<std::uint8_t>(i)}, corner);
+  return turn_through_solid(complex_, ground_, kept_, {t, static_cast<std::uint8_t>(i)}, opposite_edge(i, j));
 }
 
 std::vector<std::uint32_t> GrowingSolid::outside_around(std::uint32_t t, const Contact& contact) const {
@@ -95,6 +103,12 @@ bool GrowingSolid::closes_edge(std::uint32_t t, unsigned i, unsigned j) const {
 Contact GrowingSolid::contact(std::uint32_t t) {
   Contact contact;
   contact.facets = glued_facets(t);
+  if (std::has_single_bit(contact.facets)) {  // a disk, whatever is around
+    const auto i = static_cast<unsigned>(std::countr_zero(contact.facets));
+    contact.bodies[i] = body_across(t, i);
+    contact.parts = 1;
+    return contact;
+  }
   std::array<unsigned, 4> part{0, 1, 2, 3};  // of each facet of the contact: its smallest one
   const auto unite = [&](unsigned i, unsigned j) {
     const auto [low, high] = std::minmax({part[i], part[j]});
@@ -113,7 +127,7 @@ Contact GrowingSolid::contact(std::uint32_t t) {
     std::array<std::uint32_t, 4> root{};
     for (unsigned i = 0; i < 4; ++i) {
       if (i == slot || (contact.facets >> i & 1U) == 0) continue;
-      root[i] = corners_.find(across(t, i, complex_.mesh.vertices[t][slot]));
+      root[i] = find(corners_, across(t, i, complex_.mesh.vertices[t][slot]));
       bool is_new = true;
       for (unsigned j = 0; j < i; ++j) {
         if (j == slot || (contact.facets >> j & 1U) == 0 || root[j] != root[i]) continue;
@@ -128,15 +142,37 @@ Contact GrowingSolid::contact(std::uint32_t t) {
   return contact;
 }
 
+void GrowingSolid::join(DisjointSets& sets, std::vector<std::uint32_t>& joined, std::uint32_t a,
+                        std::uint32_t b) {
+  a = find(sets, a);
+  b = find(sets, b);
+  sets.join(a, b);
+  if (in_trial_ && a != b) joined.push_back(std::max(a, b));
+}
+
 void GrowingSolid::add(std::uint32_t t) {
   const unsigned facets = glued_facets(t);
   for (unsigned i = 0; i < 4; ++i) {
     if ((facets >> i & 1U) == 0) continue;
-    bodies_.join(body_across(t, i), ground_.size() + t);
+    join(bodies_, joined_bodies_, body_across(t, i), ground_.size() + t);
     for (const std::uint8_t slot : kFacetSlots[i])
-      corners_.join(first_tet_corner_ + 4 * t + slot, across(t, i, complex_.mesh.vertices[t][slot]));
+      join(corners_, joined_corners_, first_tet_corner_ + 4 * t + slot,
+           across(t, i, complex_.mesh.vertices[t][slot]));
   }
   kept_[t] = 1;
+  if (in_trial_) tried_.push_back(t);
+}
+
+void GrowingSolid::end_trial(bool keep) {
+  if (!keep) {
+    for (const std::uint32_t t : tried_) kept_[t] = 0;
+    for (; !joined_corners_.empty(); joined_corners_.pop_back()) corners_.part(joined_corners_.back());
+    for (; !joined_bodies_.empty(); joined_bodies_.pop_back()) bodies_.part(joined_bodies_.back());
+  }
+  tried_.clear();
+  joined_corners_.clear();
+  joined_bodies_.clear();
+  in_trial_ = false;
 }
 
 }  // namespace crossloft

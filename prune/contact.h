@@ -23,9 +23,12 @@ struct Contact {
   bool is_dome() const { return parts == 1 && loops > 0; }
   /// All of the tetrahedron is in contact: it is the last of a hole.
   bool is_plug() const { return parts == 1 && loops < 0; }
+  /// By which adding the tetrahedron changes the Euler characteristic of the solid.
+  int change() const { return loops + 1 - parts; }
+  int different_bodies() const;
 };
 
-/// A solid that starts as the ground of a cell and only grows.
+/// A solid that starts as the ground of a cell and grows. What is added in a trial can be taken back.
 class GrowingSolid {
  public:
   GrowingSolid(const CellComplex& complex, const Ground& ground);
@@ -35,11 +38,14 @@ class GrowingSolid {
   /// O(1) and the degrees of the edges between facets of the contact.
   Contact contact(std::uint32_t t);
   void add(std::uint32_t t);
+  void begin_trial() { in_trial_ = true; }
+  /// O(what the trial has added).
+  void end_trial(bool keep);
   /// Tetrahedra outside the solid next to t, across facets and beyond the solid at edges between facets of
   /// the contact; one for each part of the outside there that is not at the section's end, or several.
   std::vector<std::uint32_t> outside_around(std::uint32_t t, const Contact& contact) const;
   /// The body that ground triangle g is part of.
-  std::uint32_t body_of_ground(std::uint32_t g) { return bodies_.find(g); }
+  std::uint32_t body_of_ground(std::uint32_t g) { return find(bodies_, g); }
 
  private:
   std::uint32_t across(std::uint32_t t, unsigned i, std::uint32_t v) const;
@@ -48,6 +54,8 @@ class GrowingSolid {
   unsigned glued_facets(std::uint32_t t) const;
   Facet end_of_turn(std::uint32_t t, unsigned i, unsigned j) const;
   bool closes_edge(std::uint32_t t, unsigned i, unsigned j) const;
+  std::uint32_t find(DisjointSets& sets, std::uint32_t x) { return in_trial_ ? sets.root(x) : sets.find(x); }
+  void join(DisjointSets& sets, std::vector<std::uint32_t>& joined, std::uint32_t a, std::uint32_t b);
 
   const CellComplex& complex_;
   const Ground& ground_;
@@ -57,6 +65,9 @@ class GrowingSolid {
   DisjointSets corners_;
   DisjointSets bodies_;  ///< ground triangles, then tetrahedra: smallest member is a ground triangle
   std::uint32_t first_tet_corner_;
+  bool in_trial_ = false;
+  std::vector<std::uint32_t> tried_;                           ///< tetrahedra of the trial
+  std::vector<std::uint32_t> joined_corners_, joined_bodies_;  ///< roots that it has joined to others
 };
 
 }  // namespace crossloft

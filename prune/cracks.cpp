@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <span>
 
-#include "cell_topology.h"
+#include "contact.h"
 #include "disjoint_sets.h"
 #include "star.h"
 
@@ -54,11 +54,49 @@ bool is_as_good(const CellTopology& now, const CellTopology& before) {
          now.outsides <= before.outsides;
 }
 
+/// Vertices where sections touch: the umbrellas there can change how boundary curves follow each other.
+std::vector<std::uint8_t> touching_vertices(const CellComplex& complex, const Ground& ground) {
+  std::vector<std::uint8_t> ends(complex.vertex_count, 0);
+  for (std::uint32_t g = 0; g < ground.size(); ++g)
+    for (unsigned k = 0; k < 3; ++k) {
+      if (ground.neighbour(g, k) != kNone) continue;
+      const Facet& f = ground.facet(g);
+      for (const unsigned end : {k, (k + 1) % 3}) {
+        std::uint8_t& count = ends[complex.mesh.vertices[f.tet][kFacetSlots[f.facet][end]]];
+        count = static_cast<std::uint8_t>(std::min(count + 1, 3));
+      }
+    }
+  for (std::uint8_t& count : ends) count = count > 2 ? 1 : 0;
+  return ends;
+}
+
 /// Sets of cracks are tried as a whole, then by halves where that is not good: few are bad.
+///
+/// A set changes euler + curves of S by twice the sum of what its tetrahedra change in the solid
+/// (simple_growth.h), unless sections touch there. While the cell has no handle,
+///     genus = components - (euler + curves) / 2 and components = bodies + outsides - 1
+/// leave a good set nothing but to change `outsides` by that sum. Parts of the outside never come together,
+/// and one vanishes only with all cracks that it consists of. So a sum above 0, or below what parts of cracks
+/// alone there are, rules a set out, and so does a change of bodies.
 class Refill {
  public:
-  Refill(const CellComplex& complex, const Ground& ground, std::vector<std::uint8_t>& kept)
-      : complex_(complex), ground_(ground), kept_(kept), topology_(count_topology(complex, ground, kept)) {}
+  /// `cracks`: those across facets.
+  Refill(const CellComplex& complex, const Ground& ground, const std::vector<std::uint8_t>& kept,
+         const std::vector<Crack>& cracks)
+      : complex_(complex),
+        ground_(ground),
+        cracks_(cracks),
+        solid_(complex, ground),
+        topology_(count_topology(complex, ground, kept)),
+        touching_(touching_vertices(complex, ground)),
+        crack_of_(kept.size(), kNone),
+        closes_(cracks.size(), 0) {
+    for (std::uint32_t t = 0; t < kept.size(); ++t)
+      if (kept[t] != 0) solid_.add(t);
+    for (std::uint32_t c = 0; c < cracks.size(); ++c)
+      for (const std::uint32_t t : cracks[c]) crack_of_[t] = c;
+    find_closed();
+  }
 
   void run(std::span<const Crack> cracks) {
     std::vector<std::span<const Crack>> next;
@@ -72,40 +110,109 @@ class Refill {
     }
   }
 
+  const std::vector<std::uint8_t>& kept() const { return solid_.kept(); }
+  const CellTopology& topology() const { return topology_; }
+
  private:
-  static constexpr int kMostTrials = 40;  ///< each costs a count of the cell
+  static constexpr int kMostTrials = 40;
+
+  bool is_filled(const Crack& crack) const { return solid_.has(crack[0]); }
+
+  /// Marks the first crack of each part of the outside that consists of open cracks alone.
+  void find_closed() {
+    DisjointSets parts(cracks_.size());
+    std::vector<std::uint8_t> opens(cracks_.size(), 0);
+    for (std::uint32_t c = 0; c < cracks_.size(); ++c)
+      for (const std::uint32_t t : cracks_[c]) {
+        if (is_filled(cracks_[c])) continue;
+        for_outside(t, [&](std::uint32_t n) {
+          if (n == kNone || crack_of_[n] == kNone) {
+            opens[c] = 1;
+          } else {
+            parts.join(c, crack_of_[n]);
+          }
+        });
+      }
+    for (std::uint32_t c = 0; c < cracks_.size(); ++c) opens[parts.find(c)] |= opens[c];
+    for (std::uint32_t c = 0; c < cracks_.size(); ++c)
+      closes_[c] = parts.is_root(c) && opens[c] == 0 && !is_filled(cracks_[c]) ? 1 : 0;
+  }
 
   bool fill(std::span<const Crack> set) {
     ++trials_;
-    mark(set, 1);
-    const CellTopology now = count_topology(complex_, ground_, kept_);
-    const bool good = is_as_good(now, topology_);
+    solid_.begin_trial();
+    bool good = add(set);
     if (good) {
-      topology_ = now;
-    } else {
-      mark(set, 0);
+      const CellTopology now = count_topology(complex_, ground_, solid_.kept());
+      good = is_as_good(now, topology_);
+      if (good) topology_ = now;
     }
+    solid_.end_trial(good);
+    if (good) find_closed();
     return good;
   }
 
-  void mark(std::span<const Crack> set, std::uint8_t flag) {
+  /// Visits what is outside across a facet of t, or beyond the solid at an edge of a facet; kNone is beyond
+  /// the hull.
+  template <class Visit>
+  void for_outside(std::uint32_t t, Visit visit) const {
+    for (std::uint8_t i = 0; i < 4; ++i) {
+      const std::uint32_t n = complex_.mesh.neighbours[t][i];
+      if (n == kNone ? !ground_.is_ground(t, i) : !solid_.has(n)) {
+        visit(n);
+        continue;
+      }
+      for (unsigned corner = 4; corner < kCorners; ++corner) {
+        if (!facet_contains(i, corner)) continue;
+        const Facet end = turn_through_solid(complex_, ground_, solid_.kept(), {t, i}, corner);
+        if (end.tet != kNone)
+          visit(solid_.has(end.tet) ? complex_.mesh.neighbours[end.tet][end.facet] : end.tet);
+      }
+    }
+  }
+
+  /// Adds the set to the solid; false if that rules it out.
+  bool add(std::span<const Crack> set) {
+    int change = 0, bodies = 0, closed = 0;
+    bool touches = false;
     for (const Crack& crack : set)
-      for (const std::uint32_t t : crack) kept_[t] = flag;
+      for (const std::uint32_t t : crack) {
+        const Contact contact = solid_.contact(t);
+        change += contact.change();
+        bodies += 1 - contact.different_bodies();
+        const std::uint32_t c = crack_of_[t];
+        closed += cracks_[c][0] == t ? closes_[c] : 0;
+        for (const std::uint32_t v : complex_.mesh.vertices[t]) touches |= touching_[v] != 0;
+        solid_.add(t);
+      }
+    if (bodies != 0) return false;
+    return touches || topology_.genus != 0 || (change <= 0 && change >= -closed);
   }
 
   const CellComplex& complex_;
   const Ground& ground_;
-  std::vector<std::uint8_t>& kept_;
+  const std::vector<Crack>& cracks_;
+  GrowingSolid solid_;
   CellTopology topology_;
+  std::vector<std::uint8_t> touching_;   ///< by vertex
+  std::vector<std::uint32_t> crack_of_;  ///< by tetrahedron
+  std::vector<std::uint8_t> closes_;     ///< by crack
   int trials_ = 0;
 };
 
 }  // namespace
 
-void refill_cracks(const CellComplex& complex, const Ground& ground, const std::vector<std::uint8_t>& allowed,
-                   std::vector<std::uint8_t>& kept) {
-  Refill refill(complex, ground, kept);
-  for (const bool wide : {true, false}) refill.run(find_cracks(complex, allowed, kept, wide));
+CellTopology refill_cracks(const CellComplex& complex, const Ground& ground,
+                           const std::vector<std::uint8_t>& allowed, std::vector<std::uint8_t>& kept) {
+  const std::vector<Crack> cracks = find_cracks(complex, allowed, kept, false);
+  if (cracks.empty()) return count_topology(complex, ground, kept);
+  Refill refill(complex, ground, kept, cracks);
+  refill.run(find_cracks(complex, allowed, kept, true));
+  std::vector<Crack> open = cracks;
+  std::erase_if(open, [&](const Crack& crack) { return refill.kept()[crack[0]] != 0; });
+  refill.run(open);
+  kept = refill.kept();
+  return refill.topology();
 }
 
 }  // namespace crossloft

@@ -30,6 +30,16 @@ class DisjointSets {
     if (b < a) parent_[a] = b;
   }
 
+  /// find() without shortening the path: what has been joined can still be parted.
+  std::uint32_t root(std::uint32_t x) const {
+    while (parent_[x] != x) x = parent_[x];
+    return x;
+  }
+
+  /// Takes back a join by which x has lost its place as a root. REQUIRES: since then root() instead of
+  /// find(), and later joins are taken back.
+  void part(std::uint32_t x) { parent_[x] = x; }
+
   bool is_root(std::uint32_t x) const { return parent_[x] == x; }
 
   /// Number of sets. O(n).

@@ -54,11 +54,12 @@ class CellMeasures {
 
   /// Of a facet. From sorted vertices: equal from both sides.
   double area(std::uint32_t t, unsigned i) const {
-    std::array<std::uint32_t, 3> v;
-    for (unsigned k = 0; k < 3; ++k) v[k] = complex_.mesh.vertices[t][kFacetSlots[i][k]];
-    std::sort(v.begin(), v.end());
-    const Vec3 p = points_[v[0]];
-    return norm(cross(per_length_ * (points_[v[1]] - p), per_length_ * (points_[v[2]] - p))) / 2;
+    const auto& slots = complex_.mesh.vertices[t];
+    const std::uint32_t a = slots[kFacetSlots[i][0]], b = slots[kFacetSlots[i][1]],
+                        c = slots[kFacetSlots[i][2]];
+    const std::uint32_t low = std::min({a, b, c}), high = std::max({a, b, c}), mid = a ^ b ^ c ^ low ^ high;
+    const Vec3 p = points_[low];
+    return norm(cross(per_length_ * (points_[mid] - p), per_length_ * (points_[high] - p))) / 2;
   }
 
   double volume(std::uint32_t t) const {
@@ -88,56 +89,66 @@ double size_of(const std::vector<double>& volumes) {
   return cube_root(static_cast<double>(sum) * 0x1p-60);
 }
 
-/// Tetrahedra that stand on the sections, and those around the edges within them: without these a section
-/// falls apart where the solid is on one side of it here and on the other side there.
-bool is_tied(const CellComplex& complex, std::uint32_t t) {
-  return stands_on_section(complex, t) || has_inner_edge(complex, t);
-}
-
+/// The cut between tetrahedra of R1 that are not tied. Tied ones are the source: what a facet to them costs
+/// is added to the price of dropping the tetrahedron.
 class CutBuilder {
  public:
   CutBuilder(const CellComplex& complex, const CellShape& shape, const std::vector<std::uint8_t>& r1,
              std::span<const std::int32_t> confidence, const EnergyWeights& weights)
       : complex_(complex),
         measures_(complex, shape),
-        r1_(r1),
         confidence_(confidence),
         weights_(weights),
-        units_(units_per_area(complex.mesh.size(), weights)) {
-    const std::uint32_t n = complex.mesh.size();
-    problem_.neighbours = complex.mesh.neighbours;
-    problem_.capacity.assign(n, {0, 0, 0, 0});
-    problem_.terminal.assign(n, -1);  // what can't be kept
+        units_(units_per_area(complex.mesh.size(), weights)),
+        place_(complex.mesh.size(), kDropped) {
+    for (std::uint32_t t = 0; t < r1.size(); ++t) {
+      if (r1[t] == 0) continue;
+      place_[t] = is_tied_to_sections(complex, t) ? kTied : static_cast<std::uint32_t>(open_.size());
+      if (place_[t] != kTied) open_.push_back(t);
+    }
   }
 
-  CutProblem run() {
+  std::vector<std::uint8_t> run() {
     const std::vector<double> volume = volumes(complex_, measures_);
     const double size = size_of(volume);
     const double per_volume = size > 0 ? weights_.volume * units_ / size : 0;
-    for (std::uint32_t t = 0; t < r1_.size(); ++t) {
-      if (r1_[t] == 0) continue;
-      const double sureness = static_cast<double>(confidence_[t]) / kCertain + weights_.offset;
-      const std::int64_t pull = rounded(per_volume * volume[t] * sureness) - set_facets(t);
-      problem_.terminal[t] = is_tied(complex_, t) ? kUncuttable : pull;
+    neighbours_.assign(open_.size(), {kNone, kNone, kNone, kNone});
+    problem_.capacity.assign(open_.size(), {0, 0, 0, 0});
+    for (std::uint32_t k = 0; k < open_.size(); ++k) {
+      const double sureness = static_cast<double>(confidence_[open_[k]]) / kCertain + weights_.offset;
+      problem_.terminal.push_back(rounded(per_volume * volume[open_[k]] * sureness) + set_facets(k));
     }
-    return std::move(problem_);
+    problem_.neighbours = neighbours_;
+    const std::vector<std::uint8_t> kept_open = minimum_cut(problem_).kept;
+    std::vector<std::uint8_t> kept(place_.size());
+    for (std::uint32_t t = 0; t < kept.size(); ++t)
+      kept[t] = place_[t] == kTied || (place_[t] != kDropped && kept_open[place_[t]] != 0) ? 1 : 0;
+    return kept;
   }
 
  private:
-  /// Capacities towards neighbours; returns the price of the facets where the solid must end.
-  std::int64_t set_facets(std::uint32_t t) {
-    std::int64_t ends = 0;
+  static constexpr std::uint32_t kDropped = kNone, kTied = kNone - 1;
+
+  /// Capacities towards neighbours; returns the price of facets to tied ones less that of facets where the
+  /// solid must end.
+  std::int64_t set_facets(std::uint32_t k) {
+    const std::uint32_t t = open_[k];
+    std::int64_t gain = 0;
     for (unsigned i = 0; i < 4; ++i) {
       const std::uint32_t other = complex_.mesh.neighbours[t][i];
-      if (complex_.facets[t][i] == FacetKind::internal) continue;
-      if (other == kNone || r1_[other] == 0) {
-        ends += price(t, i);
-      } else if (other > t) {
-        problem_.capacity[t][i] = price(t, i);
-        problem_.capacity[other][facet_towards(complex_.mesh, other, t)] = problem_.capacity[t][i];
+      const std::uint32_t place = other == kNone ? kDropped : place_[other];
+      if (place == kDropped) {
+        gain -= price(t, i);
+      } else if (place == kTied) {
+        gain += price(t, i);
+      } else {
+        neighbours_[k][i] = place;
+        if (place < k) continue;
+        problem_.capacity[k][i] = price(t, i);
+        problem_.capacity[place][facet_towards(complex_.mesh, other, t)] = problem_.capacity[k][i];
       }
     }
-    return ends;
+    return gain;
   }
 
   std::int64_t price(std::uint32_t t, unsigned i) const {
@@ -146,20 +157,26 @@ class CutBuilder {
 
   const CellComplex& complex_;
   const CellMeasures measures_;
-  const std::vector<std::uint8_t>& r1_;
   std::span<const std::int32_t> confidence_;
   const EnergyWeights& weights_;
   const double units_;
+  std::vector<std::uint32_t> place_;                      ///< in open_, or one of the two above
+  std::vector<std::uint32_t> open_;                       ///< what the cut decides
+  std::vector<std::array<std::uint32_t, 4>> neighbours_;  ///< by place
   CutProblem problem_;
 };
 
 }  // namespace
 
+bool is_tied_to_sections(const CellComplex& complex, std::uint32_t t) {
+  return stands_on_section(complex, t) || has_inner_edge(complex, t);
+}
+
 std::vector<std::uint8_t> cheapest_solid(const CellComplex& complex, const CellShape& shape,
                                          const std::vector<std::uint8_t>& r1,
                                          std::span<const std::int32_t> confidence,
                                          const EnergyWeights& weights) {
-  return minimum_cut(CutBuilder(complex, shape, r1, confidence, weights).run()).kept;
+  return CutBuilder(complex, shape, r1, confidence, weights).run();
 }
 
 }  // namespace crossloft

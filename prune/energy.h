@@ -17,13 +17,17 @@ struct EnergyWeights {
   double offset = 0.6;  ///< added to every confidence: in doubt there is solid
 };
 
+/// Tetrahedra that stand on the sections, and those around the edges within them: without these a section
+/// falls apart where the solid is on one side of it here and on the other side there.
+bool is_tied_to_sections(const CellComplex& complex, std::uint32_t t);
+
 /// The subset of R1 that has the least
 ///     smooth area(surface within the cell) - volume sum over tetrahedra of (confidence + offset) volume /
 ///     size,
-/// size = the cube root of the volume of the cell's vertices' hull, among those that contain all tetrahedra
-/// of R1 that stand on the sections or have an edge within them; the smallest if there are several, so it is
-/// unique. A minimum cut between neighbours (min_cut.h) with capacities rounded to integers. REQUIRES:
-/// confidences as in confidence.h; r1[t] = 0 for tetrahedra that can't be kept.
+/// size = the cube root of the volume of the cell's vertices' hull, among those that contain all tied ones of
+/// R1; the smallest if there are several, so it is unique. A minimum cut between neighbours (min_cut.h) that
+/// are not tied, with capacities rounded to integers. REQUIRES: confidences as in confidence.h, but for tied
+/// tetrahedra, of which they are not asked; r1[t] = 0 for tetrahedra that can't be kept.
 std::vector<std::uint8_t> cheapest_solid(const CellComplex& complex, const CellShape& shape,
                                          const std::vector<std::uint8_t>& r1,
                                          std::span<const std::int32_t> confidence,

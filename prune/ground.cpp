@@ -15,6 +15,29 @@ constexpr std::array<std::array<std::uint8_t, kCorners>, 4> side_table() {
 }
 constexpr auto kSides = side_table();
 
+/// A place on the way around an edge: in a tetrahedron, from one of its facets at the edge to the other one.
+/// Facets are also the slots opposite to them, whose vertices are not on the edge.
+class Turn {
+ public:
+  Turn(std::uint32_t tet, unsigned out, unsigned in) : tet_(tet), out_(out), in_(in) {}
+
+  Facet out() const { return {tet_, static_cast<std::uint8_t>(out_)}; }
+  unsigned corner() const { return opposite_edge(out_, in_); }
+  std::uint32_t next(const TetMesh& mesh) const { return mesh.neighbours[tet_][out_]; }
+
+  /// The vertex opposite to where it came in stays; what is opposite to that is the way out.
+  void enter(const TetMesh& mesh, std::uint32_t n) {
+    const std::uint32_t stays = mesh.vertices[tet_][in_];
+    in_ = facet_towards(mesh, n, tet_);
+    out_ = slot_of(mesh.vertices[n], stays);
+    tet_ = n;
+  }
+
+ private:
+  std::uint32_t tet_;
+  unsigned out_, in_;
+};
+
 }  // namespace
 
 unsigned Ground::side_of(unsigned i, unsigned corner) { return kSides[i][corner]; }
@@ -30,10 +53,15 @@ Ground::Ground(const CellComplex& complex) : complex_(complex), of_facet_(comple
   DisjointSets parts(size());
   for (std::uint32_t g = 0; g < size(); ++g)
     for (unsigned k = 0; k < 3; ++k) {
+      if (neighbours_[g][k] != kNone) continue;  // found from the other side
       const auto& slots = kFacetSlots[facets_[g].facet];
-      const Facet end = other_end(facets_[g], kEdgeCorner[slots[k]][slots[(k + 1) % 3]]);
-      neighbours_[g][k] = at(end.tet, end.facet);
-      if (neighbours_[g][k] != kNone) parts.join(g, neighbours_[g][k]);
+      unsigned corner = kEdgeCorner[slots[k]][slots[(k + 1) % 3]];
+      const Facet end = other_end(facets_[g], corner);
+      const std::uint32_t other = at(end.tet, end.facet);
+      if (other == kNone) continue;
+      neighbours_[g][k] = other;
+      neighbours_[other][side_of(end.facet, corner)] = g;
+      parts.join(g, other);
     }
   for (std::uint32_t g = 0; g < size(); ++g) parts_.push_back(parts.find(g));
 }
@@ -44,38 +72,32 @@ std::uint32_t Ground::part_count() const {
   return count;
 }
 
-/// The hull facet at the other end of the fan around an edge on the hull.
-Facet Ground::other_end(Facet from, unsigned corner) const {
-  const TetMesh& mesh = complex_.mesh;
-  for (std::uint32_t t = from.tet, i = from.facet;;) {
-    const unsigned out = other_facet(i, corner);
-    const std::uint32_t n = mesh.neighbours[t][out];
-    if (n == kNone) return {t, static_cast<std::uint8_t>(out)};
-    corner = same_corner(mesh, t, corner, n);
-    i = facet_towards(mesh, n, t);
-    t = n;
-  }
+/// The hull facet at the other end of the fan around an edge on the hull; `corner` becomes the edge there.
+Facet Ground::other_end(Facet from, unsigned& corner) const {
+  Turn turn(from.tet, other_facet(from.facet, corner), from.facet);
+  for (std::uint32_t n; (n = turn.next(complex_.mesh)) != kNone;) turn.enter(complex_.mesh, n);
+  corner = turn.corner();
+  return turn.out();
 }
 
 Facet turn_through_solid(const CellComplex& complex, const Ground& ground,
                          const std::vector<std::uint8_t>& kept, Facet from, unsigned corner) {
   const TetMesh& mesh = complex.mesh;
-  for (std::uint32_t t = from.tet, i = from.facet;;) {
-    if (const std::uint32_t g = ground.at(t, i); g != kNone) {
-      const std::uint32_t beyond = ground.across(g, corner);
-      if (beyond == kNone) return {};
-      const Facet next = ground.facet(beyond);
-      corner = same_corner(mesh, t, corner, next.tet);
-      t = next.tet;
-      if (kept[t] == 0) return next;
-      i = other_facet(next.facet, corner);
+  for (Turn turn(from.tet, from.facet, other_facet(from.facet, corner));;) {
+    const std::uint32_t n = turn.next(mesh);
+    if (n != kNone && kept[n] != 0) {
+      turn.enter(mesh, n);
       continue;
     }
-    const std::uint32_t n = mesh.neighbours[t][i];
-    if (n == kNone || kept[n] == 0) return {t, static_cast<std::uint8_t>(i)};
-    corner = same_corner(mesh, t, corner, n);
-    i = other_facet(facet_towards(mesh, n, t), corner);
-    t = n;
+    const Facet out = turn.out();
+    const std::uint32_t g = n == kNone ? ground.at(out.tet, out.facet) : kNone;
+    if (g == kNone) return out;
+    const std::uint32_t beyond = ground.across(g, turn.corner());
+    if (beyond == kNone) return {};
+    const Facet next = ground.facet(beyond);
+    if (kept[next.tet] == 0) return next;
+    const unsigned there = same_corner(mesh, out.tet, turn.corner(), next.tet);
+    turn = Turn(next.tet, other_facet(next.facet, there), next.facet);
   }
 }
 

@@ -48,7 +48,7 @@ class Ground {
   static unsigned side_of(unsigned i, unsigned corner);
 
  private:
-  Facet other_end(Facet from, unsigned corner) const;
+  Facet other_end(Facet from, unsigned& corner) const;
 
   const CellComplex& complex_;
   std::vector<Facet> facets_;

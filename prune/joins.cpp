@@ -21,15 +21,16 @@ class Bodies {
   std::uint32_t tet(std::uint32_t t) const { return ground_ + t; }
 
   /// Tetrahedron t joins the pieces next to it, in the order of their names: not in that of its slots.
-  void add(std::uint32_t t, std::vector<std::uint32_t> pieces, std::int32_t confidence) {
+  void add(std::uint32_t t, std::span<std::uint32_t> pieces, std::int32_t confidence) {
     for (std::uint32_t& p : pieces) p = sets_.find(p);
     std::sort(pieces.begin(), pieces.end());
-    pieces.erase(std::unique(pieces.begin(), pieces.end()), pieces.end());
+    pieces =
+        pieces.first(static_cast<std::size_t>(std::unique(pieces.begin(), pieces.end()) - pieces.begin()));
     for (const std::uint32_t p : pieces) sets_.join(tet(t), p);
-    pieces.erase(std::lower_bound(pieces.begin(), pieces.end(), ground_), pieces.end());
-    if (pieces.empty()) return;
+    if (pieces.size() < 2 || pieces[1] >= ground_) return;
+    const auto bodies = pieces.begin(), end = std::lower_bound(bodies, pieces.end(), ground_);
     std::vector<std::uint32_t> names;
-    for (const std::uint32_t p : pieces) names.push_back(names_[p]);
+    for (auto p = bodies; p != end; ++p) names.push_back(names_[*p]);
     std::sort(names.begin(), names.end());
     for (std::size_t i = 1; i < names.size(); ++i) joins_.push_back({names[0], names[i], confidence, true});
     names_[pieces[0]] = names[0];
@@ -62,15 +63,15 @@ std::vector<std::uint32_t> by_confidence(const CellComplex& complex, const std::
   struct Entry {
     std::int32_t confidence;
     std::uint32_t tet;
-    std::array<std::uint32_t, 4> key;
   };
   std::vector<Entry> entries;
   for (std::uint32_t t = 0; t < chosen.size(); ++t) {
     if (chosen[t] == 0) continue;
-    entries.push_back({confidence[t], t, sorted_vertices(complex.mesh, t)});
+    entries.push_back({confidence[t], t});
   }
-  std::sort(entries.begin(), entries.end(), [](const Entry& x, const Entry& y) {
-    return x.confidence != y.confidence ? x.confidence > y.confidence : x.key < y.key;
+  std::sort(entries.begin(), entries.end(), [&](const Entry& x, const Entry& y) {
+    if (x.confidence != y.confidence) return x.confidence > y.confidence;
+    return sorted_vertices(complex.mesh, x.tet) < sorted_vertices(complex.mesh, y.tet);
   });
   std::vector<std::uint32_t> order;
   for (const Entry& e : entries) order.push_back(e.tet);
@@ -84,13 +85,14 @@ std::vector<Join> find_joins(const CellComplex& complex, const Ground& ground,
   std::vector<std::uint8_t> in(kept.size(), 0);
   for (const std::uint32_t t : by_confidence(complex, kept, confidence)) {
     in[t] = 1;
-    std::vector<std::uint32_t> pieces;
+    std::array<std::uint32_t, 4> pieces;
+    std::size_t count = 0;
     for (unsigned i = 0; i < 4; ++i) {
       const std::uint32_t other = complex.mesh.neighbours[t][i];
-      if (other != kNone && in[other] != 0) pieces.push_back(bodies.tet(other));
-      if (ground.is_ground(t, i)) pieces.push_back(ground.at(t, i));
+      if (other != kNone && in[other] != 0) pieces[count++] = bodies.tet(other);
+      if (ground.is_ground(t, i)) pieces[count++] = ground.at(t, i);
     }
-    bodies.add(t, std::move(pieces), confidence[t]);
+    bodies.add(t, std::span(pieces).first(count), confidence[t]);
   }
   return bodies.take();
 }

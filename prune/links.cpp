@@ -11,17 +11,18 @@
 namespace crossloft {
 namespace {
 
-/// Index of the tetrahedra at each vertex that bear on its link: kept ones and those with an internal
+/// Index of the tetrahedra at each wanted vertex that bear on its link: kept ones and those with an internal
 /// triangle there.
 class Stars {
  public:
-  Stars(const CellComplex& complex, std::span<const std::uint8_t> kept)
+  Stars(const CellComplex& complex, std::span<const std::uint8_t> kept,
+        const std::vector<std::uint8_t>& wanted)
       : begin_(complex.vertex_count + 1, 0) {
-    for_corners(complex, kept, [&](std::uint32_t v, std::uint32_t) { ++begin_[v + 1]; });
+    for_corners(complex, kept, wanted, [&](std::uint32_t v, std::uint32_t) { ++begin_[v + 1]; });
     std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
     tets_.resize(begin_.back());
     std::vector<std::size_t> next(begin_.begin(), begin_.end() - 1);
-    for_corners(complex, kept, [&](std::uint32_t v, std::uint32_t t) { tets_[next[v]++] = t; });
+    for_corners(complex, kept, wanted, [&](std::uint32_t v, std::uint32_t t) { tets_[next[v]++] = t; });
   }
 
   std::span<const std::uint32_t> of(std::uint32_t v) const {
@@ -30,10 +31,12 @@ class Stars {
 
  private:
   template <class Visit>
-  static void for_corners(const CellComplex& complex, std::span<const std::uint8_t> kept, Visit visit) {
+  static void for_corners(const CellComplex& complex, std::span<const std::uint8_t> kept,
+                          const std::vector<std::uint8_t>& wanted, Visit visit) {
     for (std::uint32_t t = 0; t < complex.mesh.size(); ++t) {
       for (unsigned slot = 0; slot < 4; ++slot) {
-        if (kept[t] != 0 || is_on_ground(complex, t, slot)) visit(complex.mesh.vertices[t][slot], t);
+        const std::uint32_t v = complex.mesh.vertices[t][slot];
+        if (wanted[v] != 0 && (kept[t] != 0 || is_on_ground(complex, t, slot))) visit(v, t);
       }
     }
   }
@@ -173,13 +176,13 @@ void count(LinkShape shape, LinkCensus& census) {
   }
 }
 
-}  // namespace
-
-LinkCensus census_links(const CellComplex& complex, std::span<const std::uint8_t> kept) {
-  const Stars stars(complex, kept);
+LinkCensus census_of(const CellComplex& complex, std::span<const std::uint8_t> kept,
+                     const std::vector<std::uint8_t>& wanted) {
+  const Stars stars(complex, kept, wanted);
   ExtendedLink link(complex, kept);
   LinkCensus census;
   for (std::uint32_t v = 0; v < complex.vertex_count; ++v) {
+    if (wanted[v] == 0) continue;
     const auto star = stars.of(v);
     const bool bare = std::none_of(star.begin(), star.end(), [&](std::uint32_t t) { return kept[t] != 0; });
     if (bare) {
@@ -189,6 +192,17 @@ LinkCensus census_links(const CellComplex& complex, std::span<const std::uint8_t
     }
   }
   return census;
+}
+
+}  // namespace
+
+std::uint32_t count_bad_links(const CellComplex& complex, std::span<const std::uint8_t> kept,
+                              const std::vector<std::uint8_t>& wanted) {
+  return census_of(complex, kept, wanted).bad_links();
+}
+
+LinkCensus census_links(const CellComplex& complex, std::span<const std::uint8_t> kept) {
+  return census_of(complex, kept, std::vector<std::uint8_t>(complex.vertex_count, 1));
 }
 
 }  // namespace crossloft

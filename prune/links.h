@@ -10,6 +10,7 @@
 
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "cell_complex.h"
 
@@ -29,5 +30,9 @@ struct LinkCensus {
 
 /// O(n log n) with stars sorted locally. REQUIRES: kept.size() == complex.mesh.size().
 LinkCensus census_links(const CellComplex& complex, std::span<const std::uint8_t> kept);
+
+/// The bad links among the vertices v with wanted[v] != 0. O(n), and n log n for the stars of these.
+std::uint32_t count_bad_links(const CellComplex& complex, std::span<const std::uint8_t> kept,
+                              const std::vector<std::uint8_t>& wanted);
 
 }  // namespace crossloft

@@ -26,57 +26,68 @@ class NaturalPruning {
         requests_(requests),
         limits_{as_integer(options.join_confidence), as_integer(options.dome_confidence), requests.wishes,
                 requests.opened},
-        ground_(complex) {}
+        ground_(complex),
+        meter_(complex, ground_, shape),
+        confidence_(complex.mesh.size(), -kCertain) {}
 
   NaturalResult run(const std::vector<std::uint8_t>& r1) {
-    const std::vector<std::int32_t> confidence = confidences(complex_, shape_, r1);
+    measure(r1, false);
     EnergyWeights weights;
     weights.smooth = options_.smooth_weight;
     NaturalResult result;
-    result.kept = cheapest_solid(complex_, shape_, r1, confidence, weights);
+    result.kept = cheapest_solid(complex_, shape_, r1, confidence_, weights);
     result.r2 = static_cast<std::uint32_t>(std::count(result.kept.begin(), result.kept.end(), 1));
     NaturalReport& report = result.report;
     report.before = report.after = count_topology(complex_, ground_, result.kept);
-    if (report.before.bodies < report.before.sections)
-      report.joins = find_joins(complex_, ground_, result.kept, confidence);
-    if (!is_good(report, result.kept)) grow(confidence, result);
-    if (!requests_.joined.empty()) join_alone(r1, confidence, result);
+    const bool joins = report.before.bodies < report.before.sections;
+    if (joins) {
+      measure(r1, true);
+      report.joins = find_joins(complex_, ground_, result.kept, confidence_);
+    }
+    const bool good = is_good(report, result.kept);
+    if (!joins && (!good || !requests_.joined.empty() || !requests_.questions.empty())) measure(r1, true);
+    if (!good) grow(result);
+    if (!requests_.joined.empty()) join_alone(r1, result);
     if (!requests_.questions.empty())
       result.answers =
-          SecondLook(complex_, ground_, r1, result.kept, confidence).answer(requests_.questions);
+          SecondLook(complex_, ground_, r1, result.kept, confidence_).answer(requests_.questions);
     return result;
   }
 
  private:
   /// Where a cavity is opened, nothing that is not sure is built: else no more than a slit is left open. What
   /// stands on a section goes too; there are the other side and bridges.
-  void drop_unsure(std::span<const std::int32_t> confidence, std::vector<std::uint8_t>& allowed) const {
+  void drop_unsure(std::vector<std::uint8_t>& allowed) const {
     const std::int32_t least = as_integer(options_.cavity_confidence);
     for (std::uint32_t t = 0; t < allowed.size(); ++t)
-      if (confidence[t] < least) allowed[t] = 0;
+      if (confidence_[t] < least) allowed[t] = 0;
   }
 
-  void grow(std::span<const std::int32_t> confidence, NaturalResult& result) const {
-    if (!requests_.opened.empty()) drop_unsure(confidence, result.kept);
-    GrowthResult grown = grow_simply(complex_, ground_, result.kept, confidence, limits_);
-    refill_cracks(complex_, ground_, result.kept, grown.kept);
+  void grow(NaturalResult& result) const {
+    if (!requests_.opened.empty()) drop_unsure(result.kept);
+    GrowthResult grown = grow_simply(complex_, ground_, result.kept, confidence_, limits_);
+    result.report.after = refill_cracks(complex_, ground_, result.kept, grown.kept);
     result.kept = std::move(grown.kept);
     result.report.grown = true;
     result.report.joins = std::move(grown.joins);
     result.report.domes = std::move(grown.domes);
-    result.report.after = count_topology(complex_, ground_, result.kept);
   }
 
-  void join_alone(const std::vector<std::uint8_t>& r1, std::span<const std::int32_t> confidence,
-                  NaturalResult& result) const {
+  void join_alone(const std::vector<std::uint8_t>& r1, NaturalResult& result) const {
     for (const TetName& body : requests_.joined) {
       Join join;
       for (const std::uint32_t t :
-           SecondLook(complex_, ground_, r1, result.kept, confidence).way_from(body, join))
+           SecondLook(complex_, ground_, r1, result.kept, confidence_).way_from(body, join))
         result.kept[t] = 1;
       if (join.done) result.report.joins.push_back(join);
     }
     result.report.after = count_topology(complex_, ground_, result.kept);
+  }
+
+  /// The cut does not ask how likely tied tetrahedra are: they are measured where joins or growth do.
+  void measure(const std::vector<std::uint8_t>& wanted, bool tied) {
+    for (std::uint32_t t = 0; t < wanted.size(); ++t)
+      if (wanted[t] != 0 && is_tied_to_sections(complex_, t) == tied) confidence_[t] = meter_.measure(t);
   }
 
   /// Nothing that growth could decide otherwise.
@@ -93,6 +104,8 @@ class NaturalPruning {
   const CellRequests& requests_;
   const GrowthLimits limits_;
   const Ground ground_;
+  const ConfidenceMeter meter_;
+  std::vector<std::int32_t> confidence_;
 };
 
 }  // namespace

@@ -1,54 +1,63 @@
 #include "outside.h"
 
-#include <algorithm>
-#include <array>
-
 #include "disjoint_sets.h"
 #include "star.h"
 
 namespace crossloft {
 namespace {
 
-struct EdgeUse {
-  std::uint32_t a, b, tet;
-  friend auto operator<=>(const EdgeUse&, const EdgeUse&) = default;
-};
-
-/// Tetrahedra that share an edge share a part; those with a common facet have one, too.
-DisjointSets parts_of(const CellComplex& complex, const std::vector<std::uint8_t>& kept) {
-  std::vector<EdgeUse> uses;
-  for (std::uint32_t t = 0; t < kept.size(); ++t) {
-    if (kept[t] != 0) continue;
-    for (const auto& ends : kEdgeSlots) {
-      const std::uint32_t a = complex.mesh.vertices[t][ends[0]], b = complex.mesh.vertices[t][ends[1]];
-      uses.push_back({std::min(a, b), std::max(a, b), t});
+/// Parts of what is not kept, across facets, and what each opens to.
+struct OutsideParts {
+  OutsideParts(const CellComplex& complex, const std::vector<std::uint8_t>& kept) : of(kept.size(), kNone) {
+    std::vector<std::uint32_t> stack;
+    for (std::uint32_t start = 0; start < kept.size(); ++start) {
+      if (kept[start] != 0 || of[start] != kNone) continue;
+      const auto part = static_cast<std::uint32_t>(openings.size());
+      openings.emplace_back(complex);
+      of[start] = part;
+      for (stack.assign(1, start); !stack.empty();) {
+        const std::uint32_t t = stack.back();
+        stack.pop_back();
+        openings[part].add(t);
+        for (const std::uint32_t n : complex.mesh.neighbours[t]) {
+          if (n == kNone || kept[n] != 0 || of[n] != kNone) continue;
+          of[n] = part;
+          stack.push_back(n);
+        }
+      }
     }
   }
-  std::sort(uses.begin(), uses.end());
-  DisjointSets parts(kept.size());
-  for (std::size_t i = 1; i < uses.size(); ++i)
-    if (uses[i].a == uses[i - 1].a && uses[i].b == uses[i - 1].b) parts.join(uses[i].tet, uses[i - 1].tet);
-  return parts;
-}
+
+  std::vector<std::uint32_t> of;  ///< by tetrahedron, kNone for kept ones
+  std::vector<OpeningOf> openings;
+};
 
 }  // namespace
 
 void OpeningOf::add(std::uint32_t t) {
   for (unsigned i = 0; i < 4 && kind_ != Opening::wide; ++i) {
-    if (complex_.mesh.neighbours[t][i] != kNone || complex_.facets[t][i] == FacetKind::internal) continue;
-    if (complex_.facets[t][i] == FacetKind::free) {
+    if (complex_->mesh.neighbours[t][i] != kNone || complex_->facets[t][i] == FacetKind::internal) continue;
+    if (complex_->facets[t][i] == FacetKind::free) {
       kind_ = Opening::wide;
       continue;
     }
-    const auto& v = complex_.mesh.vertices[t];
+    const auto& v = complex_->mesh.vertices[t];
     const auto& slots = kFacetSlots[i];
-    const std::uint32_t face = complex_.common_face(v[slots[0]], v[slots[1]], v[slots[2]]);
-    if (kind_ == Opening::none) {
-      kind_ = Opening::hole;
-      face_ = face;
-    } else if (face != face_) {
-      kind_ = Opening::wide;
-    }
+    add_hole(complex_->common_face(v[slots[0]], v[slots[1]], v[slots[2]]));
+  }
+}
+
+void OpeningOf::add(const OpeningOf& other) {
+  if (other.kind_ == Opening::wide) kind_ = Opening::wide;
+  if (other.kind_ == Opening::hole) add_hole(other.face_);
+}
+
+void OpeningOf::add_hole(std::uint32_t face) {
+  if (kind_ == Opening::none) {
+    kind_ = Opening::hole;
+    face_ = face;
+  } else if (face != face_) {
+    kind_ = Opening::wide;
   }
 }
 
@@ -69,20 +78,22 @@ OutsidePart outside_part(const CellComplex& complex, const std::vector<std::uint
 }
 
 bool has_dome(const CellComplex& complex, const std::vector<std::uint8_t>& kept) {
-  DisjointSets parts = parts_of(complex, kept);
-  std::vector<std::uint32_t> number(kept.size(), kNone);
-  std::vector<OpeningOf> openings;
+  OutsideParts parts(complex, kept);
+  std::vector<OpeningOf>& openings = parts.openings;
+  DisjointSets together(openings.size());
+  // What is wide stays so with more of it: only the edges of the rest, which is little, are walked around.
   for (std::uint32_t t = 0; t < kept.size(); ++t) {
-    if (kept[t] != 0) continue;
-    std::uint32_t& n = number[parts.find(t)];
-    if (n == kNone) {
-      n = static_cast<std::uint32_t>(openings.size());
-      openings.emplace_back(complex);
-    }
-    openings[n].add(t);
+    if (kept[t] != 0 || openings[parts.of[t]].kind() == Opening::wide) continue;
+    for (unsigned corner = 4; corner < kCorners; ++corner)
+      visit_around_edge(complex.mesh, t, corner, [&](std::uint32_t n) {
+        if (kept[n] == 0) together.join(parts.of[t], parts.of[n]);
+      });
   }
-  return std::any_of(openings.begin(), openings.end(),
-                     [](const OpeningOf& o) { return o.kind() == Opening::hole; });
+  for (std::uint32_t part = 0; part < openings.size(); ++part)
+    openings[together.find(part)].add(openings[part]);
+  for (std::uint32_t part = 0; part < openings.size(); ++part)
+    if (together.is_root(part) && openings[part].kind() == Opening::hole) return true;
+  return false;
 }
 
 }  // namespace crossloft

@@ -18,14 +18,18 @@ enum class Opening : std::uint8_t {
 /// Gathers what a part of the outside opens to, one tetrahedron after the other.
 class OpeningOf {
  public:
-  explicit OpeningOf(const CellComplex& complex) : complex_(complex) {}
+  explicit OpeningOf(const CellComplex& complex) : complex_(&complex) {}
   void add(std::uint32_t t);
+  /// Another part that belongs to this one.
+  void add(const OpeningOf& other);
   Opening kind() const { return kind_; }
   /// Of the hole, if it is one; else any of the faces or kNone.
   std::uint32_t face() const { return face_; }
 
  private:
-  const CellComplex& complex_;
+  void add_hole(std::uint32_t face);
+
+  const CellComplex* complex_;
   Opening kind_ = Opening::none;
   std::uint32_t face_ = kNone;  ///< the one face so far
 };
@@ -40,7 +44,7 @@ struct OutsidePart {
 OutsidePart outside_part(const CellComplex& complex, const std::vector<std::uint8_t>& kept, std::uint32_t start);
 
 /// True iff some part of the outside is a hole under a dome. Parts hang together at facets and edges, as
-/// gluing leaves the outside connected along edges. O(n log n).
+/// gluing leaves the outside connected along edges. O(n) and the degrees of edges at parts that are not wide.
 bool has_dome(const CellComplex& complex, const std::vector<std::uint8_t>& kept);
 
 }  // namespace crossloft

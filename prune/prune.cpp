@@ -13,10 +13,10 @@ std::uint32_t count(const std::vector<std::uint8_t>& flags) {
 }
 
 bool is_external(const CellComplex& complex, std::uint32_t t) {
-  const auto& facets = complex.facets[t];
-  const auto& edges = complex.edges[t];
-  return std::find(facets.begin(), facets.end(), FacetKind::external) != facets.end() ||
-         std::find(edges.begin(), edges.end(), EdgeKind::external) != edges.end();
+  bool external = false;
+  for (const FacetKind kind : complex.facets[t]) external |= kind == FacetKind::external;
+  for (const EdgeKind kind : complex.edges[t]) external |= kind == EdgeKind::external;
+  return external;
 }
 
 /// T_vf or T_ee for general tags: two faces of the cell cover the four vertices, that is, a grounded triangle

@@ -20,31 +20,38 @@ std::array<double, 2> project(Vec3 p, int axis) {
   return axis == 0 ? std::array{p.y, p.z} : axis == 1 ? std::array{p.z, p.x} : std::array{p.x, p.y};
 }
 
-/// A side of an internal triangle; those that only one triangle has are the contour.
-struct Side {
-  std::uint32_t face, a, b;
-  friend auto operator<=>(const Side&, const Side&) = default;
-};
+using Contours = std::vector<std::vector<SectionRows::Segment>>;
 
-std::vector<Side> contour_sides(const CellComplex& complex) {
-  std::vector<Side> sides;
-  for (std::uint32_t t = 0; t < complex.mesh.size(); ++t)
-    for (unsigned i = 0; i < 4; ++i) {
-      if (complex.facets[t][i] != FacetKind::internal) continue;
-      const Triangle v = facet_vertices(complex.mesh, t, i);
-      const std::uint32_t face = complex.common_face(v[0], v[1], v[2]);
-      sides.insert(sides.end(), {{face, v[0], v[1]}, {face, v[0], v[2]}, {face, v[1], v[2]}});
-    }
-  std::sort(sides.begin(), sides.end());
-  std::vector<Side> single;
-  for (std::size_t i = 0; i < sides.size(); ++i) {
-    if (i + 1 < sides.size() && sides[i] == sides[i + 1]) {
-      ++i;
-    } else {
-      single.push_back(sides[i]);
-    }
+/// The side from its smaller vertex, as rounding depends on where it starts.
+SectionRows::Segment side_of(const CellShape& shape, std::uint32_t a, std::uint32_t b, int axis) {
+  const auto from = project(shape.points[std::min(a, b)], axis),
+             to = project(shape.points[std::max(a, b)], axis);
+  return {from[0], from[1], to[0], to[1]};
+}
+
+/// By face: the sides of its ground triangles that no other one on the face has.
+Contours contours_of(const CellComplex& complex, const Ground& ground, const CellShape& shape) {
+  std::vector<std::uint32_t> face_of(ground.size());
+  const auto vertices = [&](std::uint32_t g) {
+    const Facet& f = ground.facet(g);
+    const auto& v = complex.mesh.vertices[f.tet];
+    const auto& slots = kFacetSlots[f.facet];
+    return std::array{v[slots[0]], v[slots[1]], v[slots[2]]};
+  };
+  for (std::uint32_t g = 0; g < ground.size(); ++g) {
+    const auto v = vertices(g);
+    face_of[g] = complex.common_face(v[0], v[1], v[2]);
   }
-  return single;
+  Contours contours(shape.faces.size());
+  for (std::uint32_t g = 0; g < ground.size(); ++g)
+    for (unsigned k = 0; k < 3; ++k) {
+      const std::uint32_t other = ground.neighbour(g, k);
+      if (other != kNone && face_of[other] == face_of[g]) continue;
+      const auto v = vertices(g);
+      const int axis = dominant_axis(shape.faces[face_of[g]].normal);
+      contours[face_of[g]].push_back(side_of(shape, v[k], v[(k + 1) % 3], axis));
+    }
+  return contours;
 }
 
 }  // namespace
@@ -56,7 +63,7 @@ SectionRows::SectionRows(int dropped_axis, std::vector<Segment> contour) : axis_
     low_ = std::min({low_, s[1], s[3]});
     high_ = std::max({high_, s[1], s[3]});
   }
-  rows_ = std::clamp<std::size_t>(contour.size() / 2, 1, kMostRows);
+  rows_ = std::clamp<std::size_t>(contour.size(), 1, kMostRows);
   rows_per_unit_ = high_ > low_ ? static_cast<double>(rows_) / (high_ - low_) : 0;
   begin_.assign(rows_ + 1, 0);
   const auto for_rows = [&](const Segment& s, auto visit) {
@@ -82,25 +89,20 @@ bool SectionRows::contains(Vec3 p) const {
   bool inside = false;
   for (std::uint32_t i = begin_[row]; i < begin_[row + 1]; ++i) {
     const Segment& s = contour_[i];
-    if ((s[1] <= v) == (s[3] <= v)) continue;
-    inside ^= u < s[0] + (v - s[1]) / (s[3] - s[1]) * (s[2] - s[0]);
+    // Without branches: which pieces cross the line of p can't be predicted.
+    const bool crosses = (s[1] <= v) != (s[3] <= v);
+    const bool beyond = u < s[0] + (v - s[1]) / (s[3] - s[1]) * (s[2] - s[0]);
+    inside ^= crosses & beyond;
   }
   return inside;
 }
 
-std::vector<SectionRows> section_rows(const CellComplex& complex, const CellShape& shape) {
-  const std::vector<Side> sides = contour_sides(complex);
+std::vector<SectionRows> section_rows(const CellComplex& complex, const Ground& ground,
+                                      const CellShape& shape) {
+  Contours contours = contours_of(complex, ground, shape);
   std::vector<SectionRows> rows;
-  auto next = sides.begin();
-  for (std::uint32_t f = 0; f < shape.faces.size(); ++f) {
-    const int axis = dominant_axis(shape.faces[f].normal);
-    std::vector<SectionRows::Segment> contour;
-    for (; next != sides.end() && next->face == f; ++next) {
-      const auto a = project(shape.points[next->a], axis), b = project(shape.points[next->b], axis);
-      contour.push_back({a[0], a[1], b[0], b[1]});
-    }
-    rows.emplace_back(axis, std::move(contour));
-  }
+  for (std::size_t f = 0; f < contours.size(); ++f)
+    rows.emplace_back(dominant_axis(shape.faces[f].normal), std::move(contours[f]));
   return rows;
 }
 

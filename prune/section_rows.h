@@ -8,6 +8,7 @@
 
 #include "cell_complex.h"
 #include "cell_shape.h"
+#include "ground.h"
 
 namespace crossloft {
 
@@ -35,7 +36,8 @@ class SectionRows {
 };
 
 /// The sections of all faces of a cell that have vertices, from its internal hull triangles.
-/// O(n log n) for n internal triangles.
-std::vector<SectionRows> section_rows(const CellComplex& complex, const CellShape& shape);
+/// O(n) for n internal triangles, and what of the contours is in the rows.
+std::vector<SectionRows> section_rows(const CellComplex& complex, const Ground& ground,
+                                      const CellShape& shape);
 
 }  // namespace crossloft

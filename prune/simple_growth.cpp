@@ -51,16 +51,16 @@ class SimpleGrowth {
  private:
   /// The most confident first within each layer.
   void set_ranks(const std::vector<std::uint8_t>& allowed) {
-    order_ = by_confidence(complex_, allowed, confidence_);
-    std::stable_sort(order_.begin(), order_.end(),
-                     [&](std::uint32_t a, std::uint32_t b) { return layer(a) < layer(b); });
+    std::array<std::vector<std::uint32_t>, 3> layers;
+    for (const std::uint32_t t : by_confidence(complex_, allowed, confidence_)) layers[layer(t)].push_back(t);
+    for (const auto& list : layers) order_.insert(order_.end(), list.begin(), list.end());
     for (std::uint32_t r = 0; r < order_.size(); ++r) rank_[order_[r]] = r;
   }
 
   /// Those on the ground come first, then those at its inner edges: cells on both sides must close the fans
   /// there, or the solid falls apart along the edge.
-  int layer(std::uint32_t t) const {
-    return stands_on_section(complex_, t) ? 0 : has_inner_edge(complex_, t) ? 1 : 2;
+  std::size_t layer(std::uint32_t t) const {
+    return stands_on_section(complex_, t) ? 0U : has_inner_edge(complex_, t) ? 1U : 2U;
   }
 
   /// Ground triangles at the vertices of the wishes: where these are, whatever the solid becomes.

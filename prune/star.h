@@ -19,6 +19,9 @@ inline constexpr unsigned kCorners = 10;
 inline constexpr std::array<std::array<std::uint8_t, 4>, 4> kEdgeCorner{
     {{0, 4, 5, 6}, {4, 0, 7, 8}, {5, 7, 0, 9}, {6, 8, 9, 0}}};
 
+/// Corner of the edge opposite to the one between slots i and j, in the facets opposite to both.
+inline unsigned opposite_edge(unsigned i, unsigned j) { return 13U - kEdgeCorner[i][j]; }
+
 /// Bit i: the facet opposite slot i contains the corner, that is, slot i is not one of its vertices.
 inline constexpr std::array<std::uint8_t, kCorners> kCornerFacets{
     {0b1110, 0b1101, 0b1011, 0b0111, 0b1100, 0b1010, 0b0110, 0b1001, 0b0101, 0b0011}};
@@ -29,13 +32,20 @@ inline bool facet_contains(unsigned facet, unsigned corner) {
 
 /// Slot of vertex v in the tetrahedron. REQUIRES: v is one of its vertices.
 inline unsigned slot_of(const std::array<std::uint32_t, 4>& tet, std::uint32_t v) {
-  return tet[0] == v ? 0U : tet[1] == v ? 1U : tet[2] == v ? 2U : 3U;
+  // Without branches: which slot it is can't be predicted.
+  const unsigned low = tet[1] == v ? 1U : 0U;
+  const unsigned high = (tet[2] == v ? 2U : 0U) | (tet[3] == v ? 3U : 0U);
+  return low | high;
 }
 
 /// The vertices of a tetrahedron as its name: independent of its number and the order of its slots.
 inline TetName sorted_vertices(const TetMesh& mesh, std::uint32_t t) {
   std::array<std::uint32_t, 4> v = mesh.vertices[t];
-  std::sort(v.begin(), v.end());
+  const auto order = [&](unsigned i, unsigned j) {
+    const auto [low, high] = std::minmax({v[i], v[j]});
+    v[i] = low, v[j] = high;
+  };
+  order(0, 1), order(2, 3), order(0, 2), order(1, 3), order(1, 2);
   return v;
 }
 
@@ -108,14 +118,16 @@ inline bool is_on_ground(const CellComplex& complex, std::uint32_t t, unsigned c
 
 /// True iff a triangle of t is within a section.
 inline bool stands_on_section(const CellComplex& complex, std::uint32_t t) {
-  const auto& facets = complex.facets[t];
-  return std::find(facets.begin(), facets.end(), FacetKind::internal) != facets.end();
+  bool stands = false;  // without branches, which one it is can't be predicted
+  for (const FacetKind kind : complex.facets[t]) stands |= kind == FacetKind::internal;
+  return stands;
 }
 
 /// True iff an edge of t is within a section, not on a contour.
 inline bool has_inner_edge(const CellComplex& complex, std::uint32_t t) {
-  const auto& edges = complex.edges[t];
-  return std::find(edges.begin(), edges.end(), EdgeKind::internal) != edges.end();
+  bool has = false;
+  for (const EdgeKind kind : complex.edges[t]) has |= kind == EdgeKind::internal;
+  return has;
 }
 
 }  // namespace crossloft

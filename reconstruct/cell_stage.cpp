@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "../prune/confidence.h"
-#include "../prune/links.h"
 #include "../prune/verify.h"
 #include "pruning_input.h"
 #include "self_check.h"
@@ -124,7 +123,7 @@ Result<Done> Pipeline::prune_cell(CellId id, CellState& state) {
   report.vertices = cell.complex.vertex_count;
   report.tets_r0 = pruned.r0, report.tets_r1 = pruned.r1, report.tets_r2 = pruned.r2,
   report.tets_r3 = pruned.r3;
-  report.bad_links = census_links(cell.complex, pruned.kept).bad_links();
+  report.bad_links = pruned.natural.after.bad_links;
   report_topology(cell, pruned.natural, report);
   state.pruning_seconds += watch.lap();
   state.delaunay_seconds = cell.delaunay_seconds;

@@ -7,6 +7,7 @@
 
 #include "brute_solid.h"
 #include "cells.h"
+#include "prune/links.h"
 #include "prune/prune.h"
 
 namespace {
@@ -112,6 +113,7 @@ TEST_CASE("random cells: all counts are those of the definition") {
     for (const Flags& kept : solids(cell, random)) {
       CAPTURE(kept);
       const CellTopology t = count_topology(cell, ground, kept);
+      CHECK(t.bad_links == census_links(cell, kept).bad_links());
       check_same(t, brute.count(kept));
       sum.genus += t.genus;
       sum.voids += t.voids;

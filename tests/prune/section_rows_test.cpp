@@ -54,7 +54,7 @@ struct Answers {
 };
 
 void check_faces(const PlacedCell& cell, std::mt19937& random, Answers& answers) {
-  const std::vector<SectionRows> rows = section_rows(cell.complex, cell.shape);
+  const std::vector<SectionRows> rows = section_rows(cell.complex, Ground(cell.complex), cell.shape);
   const auto all = triangles(cell);
   REQUIRE(rows.size() == cell.shape.faces.size());
   const auto& points = cell.shape.points;
