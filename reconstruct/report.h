@@ -59,8 +59,10 @@ struct TopologyReport {
   std::uint32_t grown_cells = 0;
   std::uint32_t bodies_joined = 0;    ///< small ones that nothing was joined with in any cell
   std::uint32_t cavities_opened = 0;  ///< closed from all sides with little confidence, or seen by one plane only
-  std::uint32_t bridges = 0;         ///< edges within sections at which a bridge holds the solid together
-  std::uint32_t open_edges = 0;      ///< and those where none could be built: the solid is pinched there
+  std::uint32_t bridges = 0;  ///< edges within sections at which a bridge was built
+  /// Of the edges that no cell holds together, those that stay pinched. Wedges of a cell's solid that reach such an
+  /// edge without a section triangle of it are apart in the cell's count, too, and not counted here.
+  std::uint32_t open_edges = 0;
   std::uint32_t joins = 0, refused_joins = 0;  ///< of sections within a cell
   double weakest_join = 1;                     ///< confidence
   std::uint32_t walls = 0;                     ///< parts of the outside beyond one a cell
