@@ -140,25 +140,30 @@ struct Told {
   Answer answer;
 };
 
-std::vector<Told<BodyAnswer>> told_of_body(const Piece& piece, std::span<const CellState> cells) {
-  std::vector<Told<BodyAnswer>> told;
-  for (const auto& [cell, name] : piece.bodies) {
-    const auto& asked = cells[cell].asked.questions.bodies;
+/// By the name under which each cell was asked.
+template <class Answer, class Name>
+std::vector<Told<Answer>> told_of(const std::map<std::uint32_t, Name>& names,
+                                  std::span<const CellState> cells,
+                                  std::vector<Name> SecondThoughts::*questions,
+                                  std::vector<Answer> Answers::*answers) {
+  std::vector<Told<Answer>> told;
+  for (const auto& [cell, name] : names) {
+    const auto& asked = cells[cell].asked.questions.*questions;
     const auto place = static_cast<std::size_t>(std::find(asked.begin(), asked.end(), name) - asked.begin());
-    if (place < cells[cell].answers.bodies.size()) told.push_back({cell, cells[cell].answers.bodies[place]});
+    const auto& answered = cells[cell].answers.*answers;
+    if (place < answered.size()) told.push_back({cell, answered[place]});
   }
   return told;
 }
 
+std::vector<Told<BodyAnswer>> told_of_body(const Piece& piece, std::span<const CellState> cells) {
+  return told_of(piece.bodies, cells, &SecondThoughts::bodies, &Answers::bodies);
+}
+
+/// Of the cells that a part of the cavity is in.
 std::vector<Told<CavityAnswer>> told_of_cavity(const Piece& piece, std::span<const CellState> cells) {
-  std::vector<Told<CavityAnswer>> told;
-  for (const auto& [cell, facet] : piece.cavities) {
-    const auto& asked = cells[cell].asked.questions.cavities;
-    const auto place = static_cast<std::size_t>(std::find(asked.begin(), asked.end(), facet) - asked.begin());
-    if (place >= cells[cell].answers.cavities.size()) continue;
-    const CavityAnswer& answer = cells[cell].answers.cavities[place];
-    if (answer.opening != Opening::none || answer.can_open) told.push_back({cell, answer});
-  }
+  auto told = told_of(piece.cavities, cells, &SecondThoughts::cavities, &Answers::cavities);
+  std::erase_if(told, [](const auto& t) { return t.answer.opening == Opening::none && !t.answer.can_open; });
   return told;
 }
 

@@ -13,21 +13,6 @@ namespace {
 using namespace crossloft;
 using namespace crossloft::test;
 
-Simplex sorted(Simplex s) {
-  std::sort(s.begin(), s.end());
-  return s;
-}
-
-bool has(const Simplex& s, const Simplex& face) {
-  return std::includes(s.begin(), s.end(), face.begin(), face.end());
-}
-
-Simplex common(const Simplex& s, const Simplex& t) {
-  Simplex both;
-  std::set_intersection(s.begin(), s.end(), t.begin(), t.end(), std::back_inserter(both));
-  return both;
-}
-
 Simplex facet_of(const CellComplex& cell, std::uint32_t tet, unsigned facet) {
   Simplex s;
   for (const std::uint8_t slot : kFacetSlots[facet]) s.push_back(cell.mesh.vertices[tet][slot]);

@@ -5,7 +5,11 @@
 #include <set>
 
 namespace crossloft::test {
-namespace {
+
+Simplex sorted(Simplex s) {
+  std::sort(s.begin(), s.end());
+  return s;
+}
 
 bool has(const Simplex& s, const Simplex& face) {
   return std::includes(s.begin(), s.end(), face.begin(), face.end());
@@ -16,6 +20,8 @@ Simplex common(const Simplex& s, const Simplex& t) {
   std::set_intersection(s.begin(), s.end(), t.begin(), t.end(), std::back_inserter(both));
   return both;
 }
+
+namespace {
 
 std::vector<Simplex> faces_of(const Simplex& s, std::size_t size) {
   std::vector<Simplex> faces;

@@ -13,6 +13,10 @@ namespace crossloft::test {
 using Simplex = std::vector<std::uint32_t>;  ///< vertices, ascending
 using Flags = std::vector<std::uint8_t>;
 
+Simplex sorted(Simplex s);
+bool has(const Simplex& s, const Simplex& face);
+Simplex common(const Simplex& s, const Simplex& t);
+
 /// Numbers 0..n-1 put into groups by pairs; group = smallest number in it. O(n) a pair.
 class Groups {
  public:

@@ -15,11 +15,6 @@ namespace {
 using namespace crossloft;
 using namespace crossloft::test;
 
-Simplex sorted(Simplex s) {
-  std::sort(s.begin(), s.end());
-  return s;
-}
-
 Simplex triangle_of(const CellComplex& cell, Facet f) {
   Simplex s;
   for (const std::uint8_t slot : kFacetSlots[f.facet]) s.push_back(cell.mesh.vertices[f.tet][slot]);
