@@ -65,7 +65,7 @@ Json to_json(const TopologyReport& t) {
           {"refused_joins", t.refused_joins},
           {"weakest_join", t.weakest_join},
           {"bodies_joined", t.bodies_joined},
-          {"cavities_opened", t.cavities_opened},
+          {"walls_opened", t.walls_opened},
           {"bridges", t.bridges},
           {"open_edges", t.open_edges},
           {"walls", t.walls},

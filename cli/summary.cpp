@@ -9,9 +9,9 @@ void print_topology(Terminal& terminal, const TopologyReport& t) {
   if (t.joins != 0)
     terminal.print("joins        %u of sections within cells, the weakest with confidence %.2f\n", t.joins,
                    t.weakest_join);
-  if (t.bodies_joined != 0 || t.cavities_opened != 0)
-    terminal.print("second look  %u small bodies joined, %u cavities opened\n", t.bodies_joined,
-                   t.cavities_opened);
+  if (t.bodies_joined != 0 || t.walls_opened != 0)
+    terminal.print("second look  %u small bodies joined, %u walls of cavities opened\n", t.bodies_joined,
+                   t.walls_opened);
   if (t.bridges != 0 || t.open_edges != 0)
     terminal.print("bridges      at %u edges within sections, %u left pinched\n", t.bridges, t.open_edges);
   if (t.refused_joins != 0) terminal.print("not joined   %u, for lack of confidence\n", t.refused_joins);

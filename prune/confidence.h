@@ -3,6 +3,7 @@
 /// Boissonnat and Memari made soft. A point nearer to the sections than to the rest of the cell's boundary
 /// would be inside by that rule.
 
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -14,6 +15,10 @@ namespace crossloft {
 
 /// Confidences are integers, kCertain = 1: equal on every platform and in any order of summation.
 inline constexpr std::int32_t kCertain = 1 << 20;
+/// REQUIRES: -1..1.
+inline std::int32_t as_integer(double confidence) {
+  return static_cast<std::int32_t>(std::floor(confidence * kCertain + 0.5));
+}
 
 /// The mean over five points p of the tetrahedron (its centroid, 0.4, and the middles from there to its
 /// vertices, 0.15 each) of (d_out - d_in) / (d_out + d_in), where d_in is the distance to the sections and

@@ -7,13 +7,10 @@
 #include "cracks.h"
 #include "energy.h"
 #include "outside.h"
+#include "star.h"
 
 namespace crossloft {
 namespace {
-
-std::int32_t as_integer(double confidence) {
-  return static_cast<std::int32_t>(std::floor(confidence * kCertain + 0.5));
-}
 
 /// One cell on its way.
 class NaturalPruning {
@@ -55,31 +52,66 @@ class NaturalPruning {
   }
 
  private:
-  /// Where a cavity is opened, nothing that is not sure is built: else no more than a slit is left open. What
-  /// stands on a section goes too; there are the other side and bridges.
-  void drop_unsure(std::vector<std::uint8_t>& allowed) const {
+  /// Where a cavity is opened, nothing at it that is not sure is built: else no more than a slit is left
+  /// open. What stands on a section goes too; there are the other side and bridges.
+  void drop_unsure(const OpenRequest& request, std::vector<std::uint8_t>& allowed) const {
     const std::int32_t least = as_integer(options_.cavity_confidence);
-    for (std::uint32_t t = 0; t < allowed.size(); ++t)
-      if (confidence_[t] < least) allowed[t] = 0;
+    const std::uint32_t from = tet_of_name(complex_.mesh, request.from);
+    const std::uint32_t to = tet_of_name(complex_.mesh, request.to);
+    if (from == kNone || to == kNone) return;
+    allowed[from] = allowed[to] = 0;
+    std::vector<std::uint32_t> list = outside_part(complex_, allowed, from).tets;
+    for (std::size_t head = 0; head < list.size(); ++head)
+      for (const std::uint32_t n : complex_.mesh.neighbours[list[head]]) {
+        if (n == kNone || allowed[n] == 0 || confidence_[n] >= least) continue;
+        allowed[n] = 0;
+        list.push_back(n);
+      }
+  }
+
+  bool is_open(const OpenRequest& request, const std::vector<std::uint8_t>& kept) const {
+    const std::uint32_t from = tet_of_name(complex_.mesh, request.from);
+    const std::uint32_t to = tet_of_name(complex_.mesh, request.to);
+    if (from == kNone || to == kNone || kept[from] != 0) return false;
+    const std::vector<std::uint32_t> part = outside_part(complex_, kept, from).tets;
+    return std::find(part.begin(), part.end(), to) != part.end();
+  }
+
+  std::uint32_t count_open(const std::vector<std::uint8_t>& kept) const {
+    return static_cast<std::uint32_t>(std::count_if(requests_.opened.begin(), requests_.opened.end(),
+                                                    [&](const auto& r) { return is_open(r, kept); }));
   }
 
   void grow(NaturalResult& result) const {
-    if (!requests_.opened.empty()) drop_unsure(result.kept);
+    for (const OpenRequest& request : requests_.opened) drop_unsure(request, result.kept);
     GrowthResult grown = grow_simply(complex_, ground_, result.kept, confidence_, limits_);
+    std::vector<std::uint8_t> before = requests_.opened.empty() ? std::vector<std::uint8_t>{} : grown.kept;
     result.report.after = refill_cracks(complex_, ground_, result.kept, grown.kept);
+    if (!before.empty() && count_open(grown.kept) < count_open(before)) {
+      grown.kept = std::move(before);
+      result.report.after = count_topology(complex_, ground_, grown.kept);
+    }
     result.kept = std::move(grown.kept);
     result.report.grown = true;
     result.report.joins = std::move(grown.joins);
     result.report.domes = std::move(grown.domes);
+    result.report.opened = count_open(result.kept);
   }
 
+  /// Before the refused ones, where it is no more among them.
+  static void list_join(const Join& join, std::vector<Join>& joins) {
+    std::erase_if(joins, [&](const Join& j) { return !j.done && j.a == join.a && j.b == join.b; });
+    joins.insert(std::find_if(joins.begin(), joins.end(), [](const Join& j) { return !j.done; }), join);
+  }
+
+  /// Only what is still alone, and sure enough: an earlier request may have changed it.
   void join_alone(const std::vector<std::uint8_t>& r1, NaturalResult& result) const {
     for (const TetName& body : requests_.joined) {
-      Join join;
-      for (const std::uint32_t t :
-           SecondLook(complex_, ground_, r1, result.kept, confidence_).way_from(body, join))
-        result.kept[t] = 1;
-      if (join.done) result.report.joins.push_back(join);
+      const Way way = SecondLook(complex_, ground_, r1, result.kept, confidence_).way_from(body);
+      if (way.tets.empty() || way.join.confidence < as_integer(options_.alone_confidence)) continue;
+      for (const std::uint32_t t : way.tets) result.kept[t] = 1;
+      list_join(way.join, result.report.joins);
+      ++result.report.joined_alone;
     }
     result.report.after = count_topology(complex_, ground_, result.kept);
   }

@@ -19,7 +19,8 @@ struct NaturalOptions {
   double join_confidence = -0.03;  ///< two sections are joined where the best way between them has this
   double dome_confidence = -0.4;   ///< a hole in a section is closed over where the last piece has this
   double alone_confidence = -0.5;  ///< a small body that no cell joins with anything is joined from this on
-  double cavity_confidence = 0;    ///< a cavity is opened where a wall of it is less sure than this; -1: never
+  double cavity_confidence = 0;    ///< a cavity is opened where a wall is less sure than this, and nothing
+                                   ///< less sure is built there; -1: cavities stay
   double smooth_weight = 1;        ///< of a small surface against a likely volume
 };
 
@@ -30,13 +31,15 @@ struct NaturalReport {
   bool grown = false;       ///< whether growth had to decide
   std::vector<Join> joins;  ///< done, the most confident first or in the order of growth; then refused ones
   std::vector<std::int32_t> domes;  ///< confidences of those that growth closed
+  std::uint32_t joined_alone = 0;   ///< joins by request, of bodies that were alone
+  std::uint32_t opened = 0;         ///< requests to leave open that came true
 };
 
 /// What a cell is asked for beyond its options: by the user, and by what its neighbours have found.
 struct CellRequests {
   std::vector<JoinWish> wishes;
-  SecondThoughts questions;         ///< answered by the result, which they leave as it is
-  std::vector<TetName> joined;      ///< bodies to be joined with what they most likely belong to
+  SecondThoughts questions;     ///< answered by the result, which they leave as it is
+  std::vector<TetName> joined;  ///< bodies to be joined with what they most likely belong to
   std::vector<OpenRequest> opened;
 };
 

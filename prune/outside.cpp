@@ -61,7 +61,8 @@ void OpeningOf::add_hole(std::uint32_t face) {
   }
 }
 
-OutsidePart outside_part(const CellComplex& complex, const std::vector<std::uint8_t>& kept, std::uint32_t start) {
+OutsidePart outside_part(const CellComplex& complex, const std::vector<std::uint8_t>& kept,
+                         std::uint32_t start) {
   OutsidePart part{{start}, OpeningOf(complex)};
   std::vector<std::uint8_t> seen(kept.begin(), kept.end());
   seen[start] = 1;

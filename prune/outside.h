@@ -41,7 +41,8 @@ struct OutsidePart {
 };
 
 /// The part that a tetrahedron outside is in. O(its size and the degrees of its edges).
-OutsidePart outside_part(const CellComplex& complex, const std::vector<std::uint8_t>& kept, std::uint32_t start);
+OutsidePart outside_part(const CellComplex& complex, const std::vector<std::uint8_t>& kept,
+                         std::uint32_t start);
 
 /// True iff some part of the outside is a hole under a dome. Parts hang together at facets and edges, as
 /// gluing leaves the outside connected along edges. O(n) and the degrees of edges at parts that are not wide.

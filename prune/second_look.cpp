@@ -133,55 +133,78 @@ bool can_add(const CellComplex& complex, const Ground& ground, const std::vector
   return !way.empty();
 }
 
-/// The tetrahedron on the other side of a facet of the solid, kNone if there is none.
-std::uint32_t outside_at(const CellComplex& complex, const std::vector<std::uint8_t>& kept,
-                         const Triangle& facet) {
+/// Where the outside is at a facet of the solid: a tetrahedron, or kNone beyond the hull.
+struct OutsideAt {
+  Triangle facet{};
+  std::uint32_t tet = kNone;
+  friend auto operator<=>(const OutsideAt&, const OutsideAt&) = default;
+};
+
+/// Of all facets of the solid and of the ground, ascending.
+std::vector<OutsideAt> outside_of_facets(const CellComplex& complex, const Ground& ground,
+                                         const std::vector<std::uint8_t>& kept) {
+  std::vector<OutsideAt> list;
   for (std::uint32_t t = 0; t < kept.size(); ++t)
-    for (unsigned i = 0; i < 4 && kept[t] == 0; ++i)
-      if (facet_vertices(complex.mesh, t, i) == facet) return t;
-  return kNone;
+    for (unsigned i = 0; i < 4; ++i) {
+      const std::uint32_t n = complex.mesh.neighbours[t][i];
+      const bool solid_beyond = n == kNone ? ground.is_ground(t, i) : kept[n] != 0;
+      if (kept[t] == 0 && solid_beyond) list.push_back({facet_vertices(complex.mesh, t, i), t});
+      if (kept[t] != 0 && n == kNone && !ground.is_ground(t, i))
+        list.push_back({facet_vertices(complex.mesh, t, i), kNone});
+    }
+  std::sort(list.begin(), list.end());
+  return list;
 }
 
 }  // namespace
 
-std::vector<std::uint32_t> SecondLook::way_from(const TetName& body, Join& join) const {
+Way SecondLook::way_from(const TetName& body) const {
   const std::uint32_t start = tet_of_name(complex_.mesh, body);
   if (start == kNone || kept_[start] == 0) return {};
   Bodies bodies(complex_, ground_, kept_);
   const std::uint32_t own = bodies.of_tet(start);
+  if (!bodies.stands_on_one_part(own)) return {};
   std::vector<std::uint8_t> free(kept_.size());
   for (std::size_t t = 0; t < free.size(); ++t) free[t] = candidates_[t] != 0 && kept_[t] == 0;
   const Preference preference(free.size(), by_confidence(complex_, free, confidence_));
   std::vector<std::uint32_t> starts;
   for (const std::uint32_t t : preference.order)
     if (bodies.touches(t, own)) starts.push_back(t);
-  std::vector<std::uint32_t> way = best_way(
-      complex_.mesh, preference, starts, [&](std::uint32_t t) { return bodies.other_at(t, own) != kNone; });
-  if (!can_add(complex_, ground_, kept_, way)) return {};
-  const auto [a, b] = std::minmax({bodies.name_of(own), bodies.name_of(bodies.other_at(way.back(), own))});
-  join = {a, b, confidence_[way[0]], true};
-  for (const std::uint32_t t : way) join.confidence = std::min(join.confidence, confidence_[t]);
+  Way way;
+  way.tets = best_way(complex_.mesh, preference, starts,
+                      [&](std::uint32_t t) { return bodies.other_at(t, own) != kNone; });
+  if (!can_add(complex_, ground_, kept_, way.tets)) return {};
+  const std::uint32_t other = bodies.other_at(way.tets.back(), own);
+  for (const std::uint32_t n : complex_.mesh.neighbours[way.tets.back()])
+    if (n != kNone && kept_[n] != 0 && bodies.of_tet(n) == other)
+      way.target = std::min(way.target, sorted_vertices(complex_.mesh, n));
+  const std::uint32_t a = bodies.name_of(own), b = bodies.name_of(other);
+  way.join = {std::min(a, b), std::max(a, b), confidence_[way.tets[0]], true};
+  for (const std::uint32_t t : way.tets) way.join.confidence = std::min(way.join.confidence, confidence_[t]);
   return way;
 }
 
-BodyAnswer SecondLook::answer_body(const TetName& body) const {
-  const std::uint32_t t = tet_of_name(complex_.mesh, body);
-  if (t == kNone || kept_[t] == 0) return {};
+BodyAnswer SecondLook::answer_body(const std::vector<TetName>& names) const {
   BodyAnswer answer;
   Bodies bodies(complex_, ground_, kept_);
-  answer.is_alone = bodies.stands_on_one_part(bodies.of_tet(t));
-  Join join;
-  answer.can_join = answer.is_alone && !way_from(body, join).empty();
-  answer.confidence = join.confidence;
+  std::uint32_t own = kNone;
+  for (const TetName& name : names) {
+    const std::uint32_t t = tet_of_name(complex_.mesh, name);
+    if (t == kNone || kept_[t] == 0 || (own != kNone && bodies.of_tet(t) != own)) return answer;
+    own = bodies.of_tet(t);
+  }
+  answer.is_alone = own != kNone && bodies.stands_on_one_part(own);
+  if (!answer.is_alone) return answer;
+  const Way way = way_from(names[0]);
+  answer.can_join = !way.tets.empty();
+  answer.confidence = way.join.confidence;
+  answer.target = way.target;
   return answer;
 }
 
 /// The way out leads through the solid, where it is weakest.
-CavityAnswer SecondLook::answer_cavity(const Triangle& facet) const {
-  const std::uint32_t start = outside_at(complex_, kept_, facet);
+CavityAnswer SecondLook::answer_part(const OutsidePart& part, std::uint32_t start) const {
   CavityAnswer answer;
-  if (start == kNone) return answer;
-  const OutsidePart part = outside_part(complex_, kept_, start);
   answer.opening = part.opening.kind();
   answer.face = part.opening.face();
   std::vector<std::uint8_t> within(kept_.size(), 0);
@@ -213,8 +236,24 @@ CavityAnswer SecondLook::answer_cavity(const Triangle& facet) const {
 
 Answers SecondLook::answer(const SecondThoughts& questions) const {
   Answers answers;
-  for (const TetName& body : questions.bodies) answers.bodies.push_back(answer_body(body));
-  for (const Triangle& facet : questions.cavities) answers.cavities.push_back(answer_cavity(facet));
+  for (const auto& names : questions.bodies) answers.bodies.push_back(answer_body(names));
+  const std::vector<OutsideAt> seen =
+      questions.cavities.empty() ? std::vector<OutsideAt>{} : outside_of_facets(complex_, ground_, kept_);
+  for (const auto& facets : questions.cavities) {
+    std::vector<CavityAnswer>& parts = answers.cavities.emplace_back();
+    std::vector<std::uint8_t> known(kept_.size(), 0);
+    bool beyond_hull = false;
+    for (const Triangle& facet : facets) {
+      const auto at = std::lower_bound(seen.begin(), seen.end(), OutsideAt{facet, 0});
+      if (at == seen.end() || at->facet != facet) continue;
+      beyond_hull |= at->tet == kNone;
+      if (at->tet == kNone || known[at->tet] != 0) continue;
+      const OutsidePart part = outside_part(complex_, kept_, at->tet);
+      for (const std::uint32_t t : part.tets) known[t] = 1;
+      parts.push_back(answer_part(part, at->tet));
+    }
+    if (beyond_hull) parts.push_back({Opening::wide, kNone, false, 0, {}, {}});
+  }
   return answers;
 }
 

@@ -6,7 +6,6 @@
 /// or three at their common line or point, meet by chance is rather the tip of a bump or of a dent. So each
 /// cell is asked how sure it is, and the least sure of them is told to change.
 
-#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -18,23 +17,26 @@
 
 namespace crossloft {
 
-/// Bodies are named by a kept tetrahedron in them, parts of the outside by a facet of the solid at them.
+/// One question about each component of the surface: a body by the tetrahedra of the cell at it, a cavity by
+/// facets at it (those that the cell does not see from the outside are passed over).
 struct SecondThoughts {
-  std::vector<TetName> bodies;
-  std::vector<Triangle> cavities;
+  std::vector<std::vector<TetName>> bodies;
+  std::vector<std::vector<Triangle>> cavities;
 
   bool empty() const { return bodies.empty() && cavities.empty(); }
 };
 
 struct BodyAnswer {
-  bool is_alone = false;  ///< nothing in this cell is joined with it: it stands on one part of the sections
-  bool can_join = false;  ///< there is a way to another body
+  bool is_alone = false;        ///< it is one body in this cell, and stands on one part of the sections
+  bool can_join = false;        ///< there is a way to another body
   std::int32_t confidence = 0;  ///< of the weakest tetrahedron on the best way
+  TetName target{kNone, kNone, kNone, kNone};  ///< a kept one at its end; kNone if that is bare ground
 };
 
+/// Of one part of a cavity in the cell.
 struct CavityAnswer {
-  Opening opening = Opening::none;  ///< of the part of it in this cell
-  std::uint32_t face = kNone;       ///< of the hole, if it is one
+  Opening opening = Opening::none;
+  std::uint32_t face = kNone;  ///< of the hole, if it is one
   bool can_open = false;
   std::int32_t confidence = 0;  ///< of the strongest tetrahedron that must go
   TetName from{}, to{};         ///< outside, in the cavity and where the way out leads
@@ -42,7 +44,14 @@ struct CavityAnswer {
 
 struct Answers {
   std::vector<BodyAnswer> bodies;
-  std::vector<CavityAnswer> cavities;
+  std::vector<std::vector<CavityAnswer>> cavities;
+};
+
+/// Tetrahedra from a body to another one.
+struct Way {
+  std::vector<std::uint32_t> tets;
+  Join join;
+  TetName target{kNone, kNone, kNone, kNone};  ///< as in BodyAnswer
 };
 
 /// What a cell does about it. `candidates`: what a body may be joined by, contains `kept`.
@@ -52,15 +61,16 @@ class SecondLook {
              const std::vector<std::uint8_t>& kept, std::span<const std::int32_t> confidence)
       : complex_(complex), ground_(ground), candidates_(candidates), kept_(kept), confidence_(confidence) {}
 
-  /// One answer for each question, in the order of the questions. O(n log n) each.
+  /// One answer for each question, in the order of the questions. O(n log n), and as much again for each body
+  /// that is alone and each part of a cavity.
   Answers answer(const SecondThoughts& questions) const;
   /// The way from a body to another one that is most confident where it is weakest, if simple moves and one
-  /// join add it; else nothing. `join`: what that joins.
-  std::vector<std::uint32_t> way_from(const TetName& body, Join& join) const;
+  /// join add it; else nothing. REQUIRES: the body stands on one part of the sections, else there is no way.
+  Way way_from(const TetName& body) const;
 
  private:
-  BodyAnswer answer_body(const TetName& body) const;
-  CavityAnswer answer_cavity(const Triangle& facet) const;
+  BodyAnswer answer_body(const std::vector<TetName>& names) const;
+  CavityAnswer answer_part(const OutsidePart& part, std::uint32_t start) const;
 
   const CellComplex& complex_;
   const Ground& ground_;

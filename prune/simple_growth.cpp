@@ -101,16 +101,13 @@ class SimpleGrowth {
   }
 
   bool try_add(std::uint32_t t, bool domes) {
-    if (!open_.empty() && parts_what_stays_open(t)) return false;
     const Contact contact = solid_.contact(t);
-    if (!contact.is_simple() && !contact.is_plug()) {
-      if (contact.is_dome()) {
-        if (!domes || !may_close(t, contact)) return false;
-        result_.domes.push_back(confidence_[t]);
-      } else if (!join(t, contact)) {
-        return false;
-      }
-    }
+    const bool is_easy = contact.is_simple() || contact.is_plug();
+    if (!is_easy && contact.is_dome() && (!domes || !may_close(t, contact))) return false;
+    if (!is_easy && !contact.is_dome() && bodies_to_join(contact).size() < 2) return false;
+    if (!open_.empty() && parts_what_stays_open(t)) return false;
+    if (!is_easy && contact.is_dome()) result_.domes.push_back(confidence_[t]);
+    if (!is_easy && !contact.is_dome() && !join(t, contact)) return false;
     add(t);
     return true;
   }

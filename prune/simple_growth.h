@@ -35,7 +35,7 @@ struct JoinWish {
   bool join = true;
 };
 
-/// Two tetrahedra of the outside between which growth builds no wall.
+/// Two tetrahedra of the outside between which growth builds no wall. REQUIRES: they are not allowed.
 struct OpenRequest {
   TetName from{}, to{};
 };

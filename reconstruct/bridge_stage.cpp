@@ -107,7 +107,7 @@ void add_pieces(std::span<const BuiltBridges> built, const std::map<PointName, s
   for (std::uint32_t c = 0; c < built.size(); ++c)
     for (auto piece : built[c].pieces()) {
       for (std::uint32_t& v : piece)
-        if (v >= kFirstBridgePoint) v = numbers.at({c, v});
+        if (v >= kFirstBridgePoint) v = numbers.find({c, v})->second;
       cells[c].bridge_tets.push_back(piece);
     }
 }
@@ -153,7 +153,9 @@ class EdgeRing {
  private:
   std::uint32_t place(const SectionTriangle& triangle) const {
     std::uint32_t i = 0;
-    while (sides_[i].face != triangle.first || sides_[i].triangle != triangle.second) ++i;
+    while (i + 1 < sides_.size() &&
+           (sides_[i].face != triangle.first || sides_[i].triangle != triangle.second))
+      ++i;
     return i;
   }
 

@@ -65,7 +65,7 @@ class BridgeFinder {
   /// where a gap ends share the piece there, so they need one centre. Two that face each other have none in
   /// common: one centre for both would join their bridges.
   std::pair<std::uint32_t, Edge> centre_key(std::uint32_t tet, const Edge& edge) const {
-    const std::vector<Edge>& all = edges_.at(tet);
+    const std::vector<Edge>& all = edges_.find(tet)->second;
     const bool facing = all.size() == 2 && !is_end(all[0][0], all[1]) && !is_end(all[0][1], all[1]);
     if (facing) return {tet, edge};
     return {tet, *std::min_element(all.begin(), all.end())};
@@ -113,7 +113,7 @@ class BridgeFinder {
   /// The tetrahedron's part between facet i and its centre for an edge.
   Tet part_at(std::uint32_t t, std::uint8_t i, const Edge& edge) const {
     Tet part = numbers_of(t);
-    part[i] = centres_.at(centre_key(t, edge));
+    part[i] = centres_.find(centre_key(t, edge))->second;
     return part;
   }
 
@@ -121,12 +121,13 @@ class BridgeFinder {
   /// edge, each is on its own edge's side.
   bool are_centres_apart(std::uint32_t t, const Edge& edge) const {
     const auto& v = cell_.complex.mesh.vertices[t];
-    for (const Edge& other : edges_.at(t))
+    for (const Edge& other : edges_.find(t)->second)
       for (std::size_t i = 0; i < 4 && centre_key(t, other) != centre_key(t, edge); ++i)
         for (std::size_t j = 0; j < 4; ++j) {
           if (!is_end(v[i], edge) || !is_end(v[j], other)) continue;
           Tet between = numbers_of(t);
-          between[i] = centres_.at(centre_key(t, edge)), between[j] = centres_.at(centre_key(t, other));
+          between[i] = centres_.find(centre_key(t, edge))->second,
+          between[j] = centres_.find(centre_key(t, other))->second;
           if (!is_positive(between)) return false;
         }
     return true;
@@ -148,7 +149,7 @@ class BridgeFinder {
     }
     GapTet across = gap;
     across.from = i;
-    const std::uint32_t p = facet_points_.at(facet_key(across)).number;
+    const std::uint32_t p = facet_points_.find(facet_key(across))->second.number;
     const auto& local = cell_.complex.mesh.vertices[gap.tet];
     for (const std::uint8_t j : kFacetSlots[i]) {
       const Tet part = third_of(whole, p, j);

@@ -18,6 +18,8 @@ void add_up(const CellReport& cell, TopologyReport& sum) {
   sum.grown_cells += cell.grown ? 1U : 0U;
   sum.walls += std::max(cell.topology.outsides, 1U) - 1;
   sum.voids += cell.topology.voids;
+  sum.bodies_joined += cell.joined_alone;
+  sum.walls_opened += cell.opened;
   for (const JoinReport& join : cell.joins) {
     ++(join.done ? sum.joins : sum.refused_joins);
     if (join.done) sum.weakest_join = std::min(sum.weakest_join, join.confidence);
@@ -87,6 +89,8 @@ void Pipeline::report_topology(const BuiltCell& cell, const NaturalReport& natur
   report.topology = natural.after;
   report.genus_before = natural.before.genus;
   report.grown = natural.grown;
+  report.joined_alone = natural.joined_alone;
+  report.opened = natural.opened;
   report.joins.clear();
   report.domes.clear();
   for (const Join& j : natural.joins)
@@ -110,7 +114,9 @@ Result<Done> Pipeline::prune_cell(CellId id, CellState& state) {
   state.due = false;
   if (!has_section(faces)) return Done{};
   if (!state.triangulation) state.triangulation = std::make_unique<CellTriangulation>(faces.size());
+  const double before = state.triangulation->seconds();
   if (auto done = state.triangulation->add(faces, numbering_.points); !done) return done;
+  state.delaunay_seconds += state.triangulation->seconds() - before;
   auto built = build_cell(faces, *state.triangulation, *line_edges_, numbering_.graph_vertex);
   if (!built) return built.error();
   BuiltCell& cell = *built;
@@ -126,7 +132,6 @@ Result<Done> Pipeline::prune_cell(CellId id, CellState& state) {
   report.bad_links = pruned.natural.after.bad_links;
   report_topology(cell, pruned.natural, report);
   state.pruning_seconds += watch.lap();
-  state.delaunay_seconds = cell.delaunay_seconds;
   state.ground = ground_under(cell, pruned.kept);
   state.answers = by_final_numbers(std::move(pruned.answers), ids, cell);
   if (options_.mode == PruneMode::natural) state.bridges = find_bridges(cell, pruned.kept, numbering_.points);
@@ -222,6 +227,7 @@ Result<Done> Pipeline::fill_cells() {
   build_bridges();
   if (options_.mode == PruneMode::natural)
     if (auto done = look_again(); !done) return done;
+  for (CellState& cell : cells_) cell.triangulation.reset();
   cover_finally();
   finish_faces();
   finish_cells();

@@ -11,8 +11,12 @@ namespace crossloft {
 
 Result<Done> Pipeline::glue_cells() {
   result_.solid = assemble_solid(tets_, numbering_, framed_.grid);
-  auto glued = glue(tets_);
-  if (!glued) return glued.error();
+  if (!glued_) {
+    auto made = glue(tets_);
+    if (!made) return made.error();
+    glued_ = std::make_unique<GluedSurface>(std::move(made).value());
+  }
+  const GluedSurface* const glued = glued_.get();
   const auto good = self_check("gluing", [&] {
     const auto count = static_cast<std::uint32_t>(glued->vertices.size());
     return verify_surface(count, glued->triangles) ? "" : "the surface is not a manifold";

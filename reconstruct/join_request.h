@@ -10,7 +10,7 @@ namespace crossloft {
 /// Two contours of the input that must, or must not, be joined within a cell of the arrangement that both
 /// reach. Numbers are positions in the file: of the plane, and of the contour in it. Mode natural only. A
 /// request to join can't do what the tetrahedra don't allow. One that names what is not in the file is an
-/// error (usage).
+/// error (usage). With a request that forbids, the second look joins no small bodies (reconstruct/README.md).
 struct JoinRequest {
   std::uint32_t plane_a = kNone, contour_a = kNone;
   std::uint32_t plane_b = kNone, contour_b = kNone;

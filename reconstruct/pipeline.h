@@ -41,8 +41,8 @@ class EdgeRing;
 /// One component of the surface, not the largest, as cells see it.
 struct Piece {
   bool is_cavity = false;
-  std::map<std::uint32_t, TetName> bodies;      ///< by cell: a kept tetrahedron of it
-  std::map<std::uint32_t, Triangle> cavities;   ///< by cell: a facet at it
+  std::map<std::uint32_t, std::vector<TetName>> bodies;     ///< by cell: its tetrahedra at the surface
+  std::map<std::uint32_t, std::vector<Triangle>> cavities;  ///< by cell: facets at it
 };
 
 /// A cell while it is worked on, and what it leaves behind.
@@ -51,8 +51,8 @@ struct CellState {
   std::vector<std::array<std::uint32_t, 4>> tets;    ///< kept ones, by final vertex numbers
   CellReport report;
   double delaunay_seconds = 0, pruning_seconds = 0;
-  CellRequests asked;                  ///< of other than the user, by final numbers
-  Answers answers;                     ///< to them, by final numbers and faces of the arrangement
+  CellRequests asked;  ///< of other than the user, by final numbers
+  Answers answers;     ///< to them, by final numbers and faces of the arrangement
   std::vector<std::array<std::uint32_t, 4>> bridge_tets;
   std::vector<GroundTriangle> bridge_ground;
   CellBridges bridges;                 ///< mode natural
@@ -79,7 +79,7 @@ class Pipeline {
   Result<Done> fill_cells();
   // second_look_stage.cpp
   Result<Done> look_again();
-  Result<std::vector<Piece>> find_pieces() const;
+  Result<std::vector<Piece>> find_pieces();
   // bridge_stage.cpp
   void build_bridges();
   bool build_bridge(std::uint32_t cell, std::uint32_t number, EdgeRing& ring, BuiltBridges& built);
@@ -132,6 +132,7 @@ class Pipeline {
   Stopwatch watch_;
   LatticePointStore store_;
   FramedSections framed_;
+  std::unique_ptr<GluedSurface> glued_;  ///< of the tetrahedra as they are, if they have been glued
   std::unique_ptr<Arrangement> arrangement_;
   SectionGraph graph_;
   std::vector<FaceInput> inputs_;  ///< by face of the arrangement, like faces_

@@ -56,19 +56,26 @@ CellRequests by_local_numbers(CellRequests requests, const BuiltCell& cell) {
       v = static_cast<std::uint32_t>(std::lower_bound(cell.vertices.begin(), cell.vertices.end(), v) -
                                      cell.vertices.begin());
   };
-  for (TetName& body : requests.questions.bodies) translate(body);
-  for (Triangle& facet : requests.questions.cavities) translate(facet);
+  for (auto& names : requests.questions.bodies)
+    for (TetName& name : names) translate(name);
+  for (auto& facets : requests.questions.cavities)
+    for (Triangle& facet : facets) translate(facet);
   for (TetName& body : requests.joined) translate(body);
   for (OpenRequest& open : requests.opened) translate(open.from), translate(open.to);
   return requests;
 }
 
 Answers by_final_numbers(Answers answers, std::span<const FaceId> faces, const BuiltCell& cell) {
-  for (CavityAnswer& cavity : answers.cavities) {
-    if (cavity.opening == Opening::hole) cavity.face = faces[cavity.face].value;
-    for (TetName* name : {&cavity.from, &cavity.to})
-      for (std::uint32_t& v : *name) v = cell.vertices[v];
-  }
+  const auto translate = [&](TetName& name) {
+    for (std::uint32_t& v : name)
+      if (v != kNone) v = cell.vertices[v];
+  };
+  for (BodyAnswer& body : answers.bodies) translate(body.target);
+  for (auto& parts : answers.cavities)
+    for (CavityAnswer& part : parts) {
+      if (part.opening == Opening::hole) part.face = faces[part.face].value;
+      if (part.can_open) translate(part.from), translate(part.to);
+    }
   return answers;
 }
 

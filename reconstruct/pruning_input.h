@@ -18,13 +18,13 @@ namespace crossloft {
 CellShape cell_shape(const Arrangement& arrangement, CellId id, std::span<const FaceId> faces,
                      const BuiltCell& cell, const Numbering& numbering);
 
-/// The requests that concern a cell, by its local vertices: a contour's are those of its walls on the cell's
-/// faces.
 /// Requests and questions by local vertices instead of final numbers.
 CellRequests by_local_numbers(CellRequests requests, const BuiltCell& cell);
 /// The other way around; faces by their numbers in the arrangement. `faces`: as in cell_shape.
 Answers by_final_numbers(Answers answers, std::span<const FaceId> faces, const BuiltCell& cell);
 
+/// The requests that concern a cell, by its local vertices: a contour's are those of its walls on the cell's
+/// faces.
 std::vector<JoinWish> cell_wishes(std::span<const JoinRequest> requests, std::span<const CellFace> faces,
                                   const BuiltCell& cell);
 

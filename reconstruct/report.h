@@ -44,6 +44,8 @@ struct CellReport {
   CellTopology topology;              ///< of the solid with the sections
   std::uint32_t genus_before = 0;     ///< handles within the cell before growth
   bool grown = false;                 ///< mode natural: growth had to decide
+  std::uint32_t joined_alone = 0;     ///< by the second look, mode natural
+  std::uint32_t opened = 0;           ///< walls of cavities, by the second look
   std::vector<JoinReport> joins;      ///< mode natural
   std::vector<double> domes;          ///< confidences of the walls and domes that growth closed
 };
@@ -57,8 +59,8 @@ struct TopologyReport {
   std::uint32_t handles = 0;         ///< genus of cells: handles that the sections do not ask for
   std::uint32_t handles_before = 0;  ///< the same before growth took them out
   std::uint32_t grown_cells = 0;
-  std::uint32_t bodies_joined = 0;    ///< small ones that nothing was joined with in any cell
-  std::uint32_t cavities_opened = 0;  ///< closed from all sides with little confidence, or seen by one plane only
+  std::uint32_t bodies_joined = 0;  ///< small ones that nothing was joined with in any cell
+  std::uint32_t walls_opened = 0;   ///< of cavities that one plane has seen or whose walls were not sure
   std::uint32_t bridges = 0;  ///< edges within sections at which a bridge was built
   /// Of the edges that no cell holds together, those that stay pinched. Wedges of a cell's solid that reach such an
   /// edge without a section triangle of it are apart in the cell's count, too, and not counted here.
@@ -70,7 +72,7 @@ struct TopologyReport {
 };
 
 struct Report {
-  std::string mode;                   ///< joint, paper or paper-literal
+  std::string mode;                   ///< natural, joint, paper or paper-literal
   StageSeconds seconds;
   double diagonal = 0;                ///< of the bounding box of all contours
   std::vector<PlaneReport> planes;

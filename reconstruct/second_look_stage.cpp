@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <tuple>
+#include <utility>
 
 #include "../prune/confidence.h"
 #include "../prune/disjoint_sets.h"
@@ -57,8 +59,10 @@ class SurfacePieces {
 
  private:
   Vec3 place(std::uint32_t v) const {
-    const LatticePoint& p = points_[surface_.vertices[v].a];
-    return {p.x, p.y, p.z};
+    const SurfaceVertex& vertex = surface_.vertices[v];
+    const LatticePoint& p = points_[vertex.a];
+    const LatticePoint& q = points_[vertex.is_midpoint() ? vertex.b : vertex.a];
+    return 0.5 * Vec3{p.x + q.x, p.y + q.y, p.z + q.z};
   }
 
   /// Volumes from a point of each component: nothing small is lost against a distance from afar.
@@ -93,12 +97,6 @@ std::uint32_t piece_of(const std::vector<PieceTriangle>& triangles, const Triang
   return place != triangles.end() && place->vertices == facet ? place->piece : kNone;
 }
 
-template <class Name>
-void keep_smallest(std::map<std::uint32_t, Name>& names, std::uint32_t cell, const Name& name) {
-  const auto [place, is_new] = names.try_emplace(cell, name);
-  if (!is_new) place->second = std::min(place->second, name);
-}
-
 /// Through the facets of their tetrahedra.
 void find_cells(std::span<const CellState> cells, const std::vector<PieceTriangle>& triangles,
                 std::vector<Piece>& pieces) {
@@ -110,8 +108,8 @@ void find_cells(std::span<const CellState> cells, const std::vector<PieceTriangl
         std::copy_if(name.begin(), name.end(), facet.begin(), [&](std::uint32_t v) { return v != name[i]; });
         const std::uint32_t piece = piece_of(triangles, facet);
         if (piece == kNone) continue;
-        if (pieces[piece].is_cavity) keep_smallest(pieces[piece].cavities, c, facet);
-        if (!pieces[piece].is_cavity) keep_smallest(pieces[piece].bodies, c, name);
+        if (pieces[piece].is_cavity) pieces[piece].cavities[c].push_back(facet);
+        if (!pieces[piece].is_cavity) pieces[piece].bodies[c].push_back(name);
       }
     }
 }
@@ -128,55 +126,21 @@ void find_bare_cells(std::span<const FaceTriangulation> faces, const Numbering& 
       std::sort(facet.begin(), facet.end());
       const std::uint32_t piece = piece_of(triangles, facet);
       if (piece == kNone || !pieces[piece].is_cavity) continue;
-      for (const CellId c : arrangement.cells_of(FaceId{f}))
-        keep_smallest(pieces[piece].cavities, c.value, facet);
+      for (const CellId c : arrangement.cells_of(FaceId{f})) pieces[piece].cavities[c.value].push_back(facet);
     }
 }
 
-/// The answers of all cells about one piece.
+/// What a cell tells about one piece.
 template <class Answer>
 struct Told {
   std::uint32_t cell;
   Answer answer;
 };
 
-/// By the name under which each cell was asked.
-template <class Answer, class Name>
-std::vector<Told<Answer>> told_of(const std::map<std::uint32_t, Name>& names,
-                                  std::span<const CellState> cells,
-                                  std::vector<Name> SecondThoughts::*questions,
-                                  std::vector<Answer> Answers::*answers) {
-  std::vector<Told<Answer>> told;
-  for (const auto& [cell, name] : names) {
-    const auto& asked = cells[cell].asked.questions.*questions;
-    const auto place = static_cast<std::size_t>(std::find(asked.begin(), asked.end(), name) - asked.begin());
-    const auto& answered = cells[cell].answers.*answers;
-    if (place < answered.size()) told.push_back({cell, answered[place]});
-  }
-  return told;
-}
-
-std::vector<Told<BodyAnswer>> told_of_body(const Piece& piece, std::span<const CellState> cells) {
-  return told_of(piece.bodies, cells, &SecondThoughts::bodies, &Answers::bodies);
-}
-
-/// Of the cells that a part of the cavity is in.
-std::vector<Told<CavityAnswer>> told_of_cavity(const Piece& piece, std::span<const CellState> cells) {
-  auto told = told_of(piece.cavities, cells, &SecondThoughts::cavities, &Answers::cavities);
-  std::erase_if(told, [](const auto& t) { return t.answer.opening == Opening::none && !t.answer.can_open; });
-  return told;
-}
-
-/// The cell where a body that is alone in all of them is joined best; kNone if it is not alone or nowhere
-/// sure enough.
-std::uint32_t cell_to_join_in(const std::vector<Told<BodyAnswer>>& told, std::int32_t least) {
-  const Told<BodyAnswer>* best = nullptr;
-  for (const auto& t : told) {
-    if (!t.answer.is_alone) return kNone;
-    const bool able = t.answer.can_join && t.answer.confidence >= least;
-    if (able && (best == nullptr || t.answer.confidence > best->answer.confidence)) best = &t;
-  }
-  return best == nullptr ? kNone : best->cell;
+/// Whether nothing is joined with a body in any cell.
+bool is_alone(const std::vector<Told<BodyAnswer>>& told) {
+  return !told.empty() &&
+         std::all_of(told.begin(), told.end(), [](const auto& t) { return t.answer.is_alone; });
 }
 
 bool is_seen_by_one_plane(const std::vector<Told<CavityAnswer>>& told,
@@ -201,10 +165,6 @@ std::vector<Told<CavityAnswer>> to_be_opened(std::vector<Told<CavityAnswer>> tol
   return told;
 }
 
-std::int32_t as_integer(double confidence) {
-  return static_cast<std::int32_t>(std::floor(confidence * kCertain + 0.5));
-}
-
 std::vector<std::array<std::uint32_t, 4>> all_tets(std::span<const CellState> cells) {
   std::vector<std::array<std::uint32_t, 4>> tets;
   for (const CellState& cell : cells)
@@ -213,46 +173,114 @@ std::vector<std::array<std::uint32_t, 4>> all_tets(std::span<const CellState> ce
   return tets;
 }
 
+/// Answers of the cells by piece.
+struct ToldOfAll {
+  std::vector<std::vector<Told<BodyAnswer>>> bodies;
+  std::vector<std::vector<Told<CavityAnswer>>> cavities;
+};
+
 void put_questions(std::span<const Piece> pieces, std::vector<CellState>& cells) {
   for (const Piece& piece : pieces) {
-    for (const auto& [cell, name] : piece.bodies) cells[cell].asked.questions.bodies.push_back(name);
-    for (const auto& [cell, facet] : piece.cavities) cells[cell].asked.questions.cavities.push_back(facet);
+    for (const auto& [cell, names] : piece.bodies) cells[cell].asked.questions.bodies.push_back(names);
+    for (const auto& [cell, facets] : piece.cavities) cells[cell].asked.questions.cavities.push_back(facets);
   }
   for (CellState& cell : cells) cell.due = !cell.asked.questions.empty();
 }
 
-/// False if no cell has to change.
-bool put_requests(std::span<const Piece> pieces, std::span<const FaceTriangulation> faces,
-                  const NaturalOptions& options, std::vector<CellState>& cells, TopologyReport& report) {
-  for (const Piece& piece : pieces) {
-    if (const std::uint32_t cell =
-            cell_to_join_in(told_of_body(piece, cells), as_integer(options.alone_confidence));
-        cell != kNone) {
-      cells[cell].asked.joined.push_back(piece.bodies.at(cell));
-      ++report.bodies_joined;
+/// The answers come in the order of the questions, those in the order of the pieces.
+ToldOfAll take_answers(std::span<const Piece> pieces, std::span<const CellState> cells) {
+  ToldOfAll told{std::vector<std::vector<Told<BodyAnswer>>>(pieces.size()),
+                 std::vector<std::vector<Told<CavityAnswer>>>(pieces.size())};
+  std::vector<std::array<std::size_t, 2>> next(cells.size(), {0, 0});
+  for (std::size_t p = 0; p < pieces.size(); ++p) {
+    for (const auto& [cell, names] : pieces[p].bodies) {
+      const std::size_t i = next[cell][0]++;
+      const auto& answers = cells[cell].answers.bodies;
+      told.bodies[p].push_back({cell, i < answers.size() ? answers[i] : BodyAnswer{}});
     }
-    const auto walls =
-        to_be_opened(told_of_cavity(piece, cells), faces, as_integer(options.cavity_confidence));
-    for (const auto& wall : walls)
+    for (const auto& [cell, facets] : pieces[p].cavities) {
+      const std::size_t i = next[cell][1]++;
+      if (i >= cells[cell].answers.cavities.size()) continue;
+      for (const CavityAnswer& part : cells[cell].answers.cavities[i])
+        told.cavities[p].push_back({cell, part});
+    }
+  }
+  return told;
+}
+
+/// A body that may be joined in a cell.
+struct Candidate {
+  std::int32_t confidence = 0;
+  std::uint32_t cell = 0, piece = 0;
+  TetName target{};
+
+  friend bool operator<(const Candidate& x, const Candidate& y) {
+    return x.confidence != y.confidence ? x.confidence > y.confidence
+                                        : std::tie(x.cell, x.piece) < std::tie(y.cell, y.piece);
+  }
+};
+
+/// Bodies as sets: two requests must not close a loop through several cells.
+class JoinedPieces {
+ public:
+  explicit JoinedPieces(std::span<const Piece> pieces)
+      : main_(static_cast<std::uint32_t>(pieces.size())), sets_(pieces.size() + 1) {
+    for (std::uint32_t p = 0; p < pieces.size(); ++p)
+      for (const auto& [cell, names] : pieces[p].bodies)
+        for (const TetName& name : names) piece_of_[{cell, name}] = p;
+  }
+
+  /// False if the two are one already. What is not known to be a small piece counts as the main body.
+  bool join(const Candidate& c) {
+    const auto target = piece_of_.find({c.cell, c.target});
+    const std::uint32_t a = sets_.find(c.piece),
+                        b = sets_.find(target == piece_of_.end() ? main_ : target->second);
+    sets_.join(a, b);
+    return a != b;
+  }
+
+ private:
+  std::uint32_t main_;
+  DisjointSets sets_;
+  std::map<std::pair<std::uint32_t, TetName>, std::uint32_t> piece_of_;
+};
+
+/// The most confident first; each body once.
+void request_joins(std::span<const Piece> pieces, const ToldOfAll& told, std::int32_t least,
+                   std::vector<CellState>& cells) {
+  std::vector<Candidate> candidates;
+  for (std::uint32_t p = 0; p < pieces.size(); ++p)
+    for (const auto& [cell, answer] : told.bodies[p])
+      if (is_alone(told.bodies[p]) && answer.can_join && answer.confidence >= least)
+        candidates.push_back({answer.confidence, cell, p, answer.target});
+  std::sort(candidates.begin(), candidates.end());
+  JoinedPieces joined(pieces);
+  std::vector<std::uint8_t> has_request(pieces.size(), 0);
+  for (const Candidate& c : candidates) {
+    if (has_request[c.piece] != 0 || !joined.join(c)) continue;
+    has_request[c.piece] = 1;
+    const auto& names = pieces[c.piece].bodies.find(c.cell)->second;
+    cells[c.cell].asked.joined.push_back(names.front());
+  }
+}
+
+void request_openings(const ToldOfAll& told, std::span<const FaceTriangulation> faces, std::int32_t closed,
+                      std::vector<CellState>& cells) {
+  for (const auto& parts : told.cavities)
+    for (const auto& wall : to_be_opened(parts, faces, closed))
       cells[wall.cell].asked.opened.push_back({wall.answer.from, wall.answer.to});
-    report.cavities_opened += walls.empty() ? 0U : 1U;
-  }
-  for (CellState& cell : cells) {
-    cell.asked.questions = {};
-    cell.due = !cell.asked.joined.empty() || !cell.asked.opened.empty();
-  }
-  return std::any_of(cells.begin(), cells.end(), [](const CellState& c) { return c.due; });
 }
 
 }  // namespace
 
 /// What of the solid so far the cells are to be asked about.
-Result<std::vector<Piece>> Pipeline::find_pieces() const {
+Result<std::vector<Piece>> Pipeline::find_pieces() {
   const std::vector<std::array<std::uint32_t, 4>> tets = all_tets(cells_);
   if (tets.empty()) return std::vector<Piece>{};
-  const auto glued = glue(tets);
+  auto glued = glue(tets);
   if (!glued) return glued.error();
-  SurfacePieces found(*glued, numbering_.points);
+  glued_ = std::make_unique<GluedSurface>(std::move(glued).value());
+  SurfacePieces found(*glued_, numbering_.points);
   const std::vector<PieceTriangle> triangles = found.triangles();
   std::vector<Piece> pieces = found.take();
   if (pieces.empty()) return pieces;
@@ -275,7 +303,17 @@ Result<Done> Pipeline::look_again() {
   if (pieces->empty()) return Done{};
   put_questions(*pieces, cells_);
   if (auto done = prune_due_cells(); !done) return done;
-  if (!put_requests(*pieces, faces_, options_.natural, cells_, result_.report.topology)) return Done{};
+  const ToldOfAll told = take_answers(*pieces, cells_);
+  request_joins(*pieces, told, as_integer(options_.natural.alone_confidence), cells_);
+  request_openings(told, faces_, as_integer(options_.natural.cavity_confidence), cells_);
+  bool changes = false;
+  for (CellState& cell : cells_) {
+    cell.asked.questions = {};
+    cell.due = !cell.asked.joined.empty() || !cell.asked.opened.empty();
+    changes |= cell.due;
+  }
+  if (!changes) return Done{};
+  glued_.reset();
   remove_bridges();
   if (auto done = prune_due_cells(); !done) return done;
   build_bridges();

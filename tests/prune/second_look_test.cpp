@@ -78,11 +78,22 @@ TEST_CASE("random cells: bodies are alone or not, and their ways to others are t
     for (std::uint32_t t = 0; t < g.kept.size(); t += 3) {
       if (g.kept[t] == 0) continue;
       const TetName name = sorted_vertices(g.cell.mesh, t);
-      const BodyAnswer answer = g.look().answer({{name}, {}}).bodies.at(0);
+      SecondThoughts question;
+      question.bodies = {{name}};
+      const BodyAnswer answer = g.look().answer(question).bodies.at(0);
       CHECK(answer.is_alone == (section_parts(g, t) == 1));
       alone += answer.is_alone ? 1U : 0U;
-      Join join;
-      const auto way = g.look().way_from(name, join);
+      const Groups bodies = g.brute.bodies(g.kept);
+      for (std::uint32_t u = 0; u < g.kept.size(); ++u) {
+        if (g.kept[u] == 0 || bodies.of(u) == bodies.of(t)) continue;
+        question.bodies = {{name, sorted_vertices(g.cell.mesh, u)}};
+        CHECK(!g.look().answer(question).bodies.at(0).is_alone);
+        break;
+      }
+      const Way found = g.look().way_from(name);
+      const auto& way = found.tets;
+      const Join& join = found.join;
+      CHECK(answer.can_join == !way.empty());
       if (way.empty()) {
         ++blocked;
         continue;
@@ -122,7 +133,9 @@ TEST_CASE("random cells: what a cavity answers is true of its part, and growth l
       for (unsigned i = 0; i < 4; ++i) {
         const std::uint32_t n = g.cell.mesh.neighbours[t][i];
         if (g.kept[t] == 0 || n == kNone || g.kept[n] != 0) continue;
-        const CavityAnswer answer = g.look().answer({{}, {facet_vertices(g.cell.mesh, t, i)}}).cavities.at(0);
+        SecondThoughts question;
+        question.cavities = {{facet_vertices(g.cell.mesh, t, i)}};
+        const CavityAnswer answer = g.look().answer(question).cavities.at(0).at(0);
         const OutsidePart part = outside_part(g.cell, g.kept, n);
         CHECK(answer.opening == part.opening.kind());
         if (!answer.can_open) continue;
@@ -134,8 +147,10 @@ TEST_CASE("random cells: what a cavity answers is true of its part, and growth l
         if (!asked.insert(std::min(answer.from, answer.to)).second) continue;
         (answer.opening == Opening::hole ? holes : walls) += 1;
         const OpenRequest request{answer.from, answer.to};
+        Flags allowed = g.candidates;
+        allowed[n] = allowed[to] = 0;
         const Flags open =
-            grow_simply(g.cell, g.ground, g.candidates, g.confidence, {0, -1, {}, {&request, 1}}).kept;
+            grow_simply(g.cell, g.ground, allowed, g.confidence, {0, -1, {}, {&request, 1}}).kept;
         const BruteSolid::Counts now = g.brute.count(open), before = g.brute.count(g.kept);
         CHECK(now.genus == 0);
         CHECK(now.voids <= before.voids);
