@@ -5,13 +5,13 @@
 #include <map>
 
 #include "../prune/broken_fans.h"
+#include "../prune/star.h"
 
 namespace crossloft {
 namespace {
 
 using Edge = std::array<std::uint32_t, 2>;
 using Tet = std::array<std::uint32_t, 4>;
-using Triangle = std::array<std::uint32_t, 3>;
 
 /// Weight of what is not the edge in a point of a bridge: the smaller, the thinner the bridge.
 constexpr double kThickness = 0.125;
@@ -40,7 +40,7 @@ class BridgeFinder {
     for (const BrokenFan& fan : fans_)
       for (std::size_t i = 0; i < fan.gap.size(); ++i) {
         centres_[centre_key(fan.gap[i].tet, fan.edge)] = kNone;
-        if (i > 0) claim(facet_key(fan.gap[i]), fan.edge);
+        if (i > 0) claim(facet_vertices(cell_.complex.mesh, fan.gap[i].tet, fan.gap[i].from), fan.edge);
       }
     for (auto& [key, number] : centres_)
       number = add_point(cell_.complex.mesh.vertices[key.first], key.second);
@@ -69,15 +69,6 @@ class BridgeFinder {
     const bool facing = all.size() == 2 && !is_end(all[0][0], all[1]) && !is_end(all[0][1], all[1]);
     if (facing) return {tet, edge};
     return {tet, *std::min_element(all.begin(), all.end())};
-  }
-
-  /// The facet through which one comes to a tetrahedron of a gap, by its vertices.
-  Triangle facet_key(const GapTet& gap) const {
-    Triangle key{};
-    for (std::size_t k = 0; k < 3; ++k)
-      key[k] = cell_.complex.mesh.vertices[gap.tet][kFacetSlots[gap.from][k]];
-    std::sort(key.begin(), key.end());
-    return key;
   }
 
   const LatticePoint& point(std::uint32_t number) const {
@@ -147,9 +138,7 @@ class BridgeFinder {
       bridge.pieces.push_back(whole);
       return true;
     }
-    GapTet across = gap;
-    across.from = i;
-    const std::uint32_t p = facet_points_.find(facet_key(across))->second.number;
+    const std::uint32_t p = facet_points_.find(facet_vertices(cell_.complex.mesh, gap.tet, i))->second.number;
     const auto& local = cell_.complex.mesh.vertices[gap.tet];
     for (const std::uint8_t j : kFacetSlots[i]) {
       const Tet part = third_of(whole, p, j);

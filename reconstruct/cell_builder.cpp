@@ -125,7 +125,6 @@ bool CellBuilder::classify(GroundedTable& table) {
 Result<BuiltCell> CellBuilder::run(const CellTriangulation& triangulation) {
   if (triangulation.dimension() < 3) return std::move(cell_);
   sort_vertices(triangulation);
-  cell_.delaunay_seconds = triangulation.seconds();
   triangle_base_.push_back(0);
   for (const CellFace& face : faces_)
     triangle_base_.push_back(triangle_base_.back() +

@@ -20,7 +20,6 @@ struct BuiltCell {
   CellComplex complex;
   /// [t][i]: the internal triangle under facet i of tetrahedron t, face kNone where there is none.
   std::vector<std::array<GroundTriangle, 4>> ground;
-  double delaunay_seconds = 0;
 };
 
 /// Classifies R0. Local numbers of the result are in the order of the final ones. Without tetrahedra the complex is empty.

@@ -9,7 +9,6 @@
 
 #include "../prune/confidence.h"
 #include "../prune/disjoint_sets.h"
-#include "../prune/star.h"
 #include "pipeline.h"
 
 namespace crossloft {
