@@ -1,0 +1,292 @@
+/// Fifth step: sections that agree on the common lines of their planes.
+///
+/// Round by round: every line gets its target (line_target.h), and where a section is not what the target
+/// says it is changed by patches (line_patches.h). All patches of a round are made from the sections before
+/// it. After a round without misfit all sections of a line have the same inside on it, and the ends of the
+/// target's spans, the same doubles for all planes of the line, are vertices of all their contours.
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <tuple>
+
+#include "disjoint_parts.h"
+#include "line_patches.h"
+#include "line_target.h"
+#include "repair_steps.h"
+#include "section_edit.h"
+
+namespace crossloft::repair_steps {
+namespace {
+
+constexpr double kOnLine = 1e-9;       ///< of the diagonal, as the crossings of the reconstruction
+constexpr double kSpacing = 1.0 / 256; ///< of the diagonal: nodes of lines that are contested
+constexpr std::uint32_t kMostRounds = 8;
+
+/// What is wrong on one span of a line with one plane.
+struct Contradiction {
+  std::uint32_t line = 0, span = 0, plane = 0;
+  std::vector<Misfit> misfits;
+
+  double depth() const {
+    double d = 0;
+    for (const Misfit& m : misfits) d = std::max(d, m.depth);
+    return d;
+  }
+};
+
+class Agreement {
+ public:
+  Agreement(Work& work, const Context& context) : work_(work), context_(context) {}
+  bool run();
+
+ private:
+  void order_planes();
+  void look();
+  void look_at_line(std::uint32_t line, const std::vector<std::vector<const ContestedPoint*>>& contested);
+  std::vector<ContestedPoint> contested_points() const;
+  std::vector<bool> beyond_limit();
+  void join_touching(DisjointParts& groups) const;
+  bool apply();
+  std::vector<Patch> patches_of(std::uint32_t plane);
+  void edit(std::uint32_t plane, const std::vector<Patch>& patches);
+  void tell_agreed(const Contradiction& c);
+  void tell_left(const Contradiction& c, bool beyond);
+  void tell_all_left();
+  RepairChange change_of(const Contradiction& c) const;
+  WorkPlane& plane(std::uint32_t p) { return work_.planes[order_[p]]; }
+  const WorkPlane& plane(std::uint32_t p) const { return work_.planes[order_[p]]; }
+
+  Work& work_;
+  const Context& context_;
+  std::vector<std::uint32_t> order_;  ///< canonical number of a plane -> position in work_.planes
+  std::vector<UnitPlane> planes_;
+  std::vector<SectionBoundary> sections_;
+  std::vector<CommonLine> lines_;
+  std::vector<CommonPoint> points_;
+  LineSetting setting_;
+  // Of this round.
+  std::vector<std::vector<Trace>> traces_;  ///< by line, by plane of the line
+  std::vector<LineTarget> targets_;         ///< by line; empty where nothing is contested
+  std::vector<ContestedPoint> contested_;
+  std::vector<Contradiction> contradictions_;
+};
+
+/// By normal and offset, and not by the file's order.
+void Agreement::order_planes() {
+  for (std::uint32_t p = 0; p < work_.planes.size(); ++p) order_.push_back(p);
+  const auto key = [&](std::uint32_t p) { return std::tie(work_.planes[p].normal, work_.planes[p].offset); };
+  std::stable_sort(order_.begin(), order_.end(), [&](auto a, auto b) { return key(a) < key(b); });
+  for (const std::uint32_t p : order_) planes_.push_back({work_.planes[p].normal, work_.planes[p].offset});
+  for (std::uint32_t p = 0; p < order_.size(); ++p)
+    sections_.emplace_back(plane(p).section, planes_[p], work_.chart(plane(p)));
+  const double tolerance = kOnLine * work_.diagonal;
+  lines_ = common_lines(planes_, {work_.middle, 0.51 * work_.diagonal}, tolerance);
+  points_ = common_points(planes_, lines_, tolerance);
+  setting_ = {sections_, tolerance, kSpacing * work_.diagonal, 2 * work_.diagonal};
+}
+
+std::vector<ContestedPoint> Agreement::contested_points() const {
+  std::vector<ContestedPoint> contested;
+  for (const CommonPoint& point : points_) {
+    bool in = false, out = false;
+    double sum = 0;
+    for (const std::uint32_t p : point.planes) {
+      const double d = std::min(sections_[p].distance(point.point), setting_.far);
+      if (d > setting_.on) (sections_[p].inside(point.point) ? in : out) = true;
+      sum += d <= setting_.on ? 0 : sections_[p].inside(point.point) ? -d : d;
+    }
+    if (in && out) contested.push_back({point, sum / static_cast<double>(point.planes.size())});
+  }
+  return contested;
+}
+
+void Agreement::look_at_line(std::uint32_t line,
+                             const std::vector<std::vector<const ContestedPoint*>>& contested) {
+  const CommonLine& l = lines_[line];
+  std::vector<Trace>& traces = traces_[line];
+  for (const std::uint32_t p : l.planes) traces.push_back(sections_[p].trace(l, setting_.on));
+  const double least = work_.options.agree * work_.diagonal;
+  if (contested[line].empty() && longest_contradiction(traces) < least) return;
+  targets_[line] = line_target(setting_, l, traces, contested[line]);
+  for (std::uint32_t s = 0; s < targets_[line].spans.size(); ++s)
+    for (std::size_t k = 0; k < l.planes.size(); ++k) {
+      const TargetSpan& span = targets_[line].spans[s];
+      auto found = misfits(setting_, l, l.planes[k], traces[k], targets_[line], span, least);
+      if (!found.empty()) contradictions_.push_back({line, s, l.planes[k], std::move(found)});
+    }
+}
+
+/// Targets of all lines and what contradicts them.
+void Agreement::look() {
+  contested_ = contested_points();
+  std::vector<std::vector<const ContestedPoint*>> contested(lines_.size());
+  for (const ContestedPoint& c : contested_)
+    for (const std::uint32_t l : c.point.lines) contested[l].push_back(&c);
+  traces_.assign(lines_.size(), {});
+  targets_.assign(lines_.size(), {});
+  contradictions_.clear();
+  for (std::uint32_t l = 0; l < lines_.size(); ++l) look_at_line(l, contested);
+}
+
+/// Contradictions that can only be solved together: misfits of one line that touch, and those of several
+/// lines at one contested point.
+void Agreement::join_touching(DisjointParts& groups) const {
+  const double tolerance = setting_.on;
+  const auto touch = [&](const Contradiction& a, const Contradiction& b) {
+    for (const Misfit& m : a.misfits)
+      for (const Misfit& n : b.misfits)
+        if (m.begin <= n.end + tolerance && n.begin <= m.end + tolerance) return true;
+    return false;
+  };
+  const auto holds = [&](const Contradiction& a, Vec3 point) {
+    const double t = lines_[a.line].parameter(point);
+    return std::any_of(a.misfits.begin(), a.misfits.end(), [&](const Misfit& m) {
+      return m.begin - tolerance <= t && t <= m.end + tolerance;
+    });
+  };
+  for (std::uint32_t i = 0; i < contradictions_.size(); ++i)
+    for (std::uint32_t j = i + 1; j < contradictions_.size(); ++j)
+      if (contradictions_[i].line == contradictions_[j].line && touch(contradictions_[i], contradictions_[j]))
+        groups.unite(i, j);
+  for (const ContestedPoint& c : contested_) {
+    std::uint32_t first = kNone;
+    for (std::uint32_t i = 0; i < contradictions_.size(); ++i) {
+      const auto& lines = c.point.lines;
+      if (!std::binary_search(lines.begin(), lines.end(), contradictions_[i].line)) continue;
+      if (!holds(contradictions_[i], c.point.point)) continue;
+      if (first == kNone) first = i;
+      groups.unite(first, i);
+    }
+  }
+}
+
+/// [contradiction] it, or one that is solved together with it, needs more than the limit.
+std::vector<bool> Agreement::beyond_limit() {
+  DisjointParts groups(contradictions_.size());
+  join_touching(groups);
+  std::map<std::uint32_t, double> depth;
+  for (std::uint32_t i = 0; i < contradictions_.size(); ++i) {
+    double& d = depth[groups.find(i)];
+    d = std::max(d, contradictions_[i].depth());
+  }
+  std::vector<bool> beyond;
+  for (std::uint32_t i = 0; i < contradictions_.size(); ++i)
+    beyond.push_back(depth[groups.find(i)] > work_.options.limit * work_.diagonal);
+  return beyond;
+}
+
+RepairChange Agreement::change_of(const Contradiction& c) const {
+  const CommonLine& line = lines_[c.line];
+  RepairChange change;
+  change.plane = plane(c.plane).source;
+  change.count = static_cast<std::uint32_t>(c.misfits.size());
+  change.distance = c.depth();
+  const Misfit& m = c.misfits[0];
+  change.point = line.at(m.begin / 2 + m.end / 2);
+  if (!sections_[c.plane].empty()) sections_[c.plane].nearest(change.point, change.contour);
+  return change;
+}
+
+std::string others_of(const Agreement&, const std::vector<std::uint32_t>& sources) {
+  std::string text = sources.size() == 1 ? "plane " : "planes ";
+  for (std::size_t k = 0; k < sources.size(); ++k) text += (k ? ", " : "") + std::to_string(sources[k]);
+  return text;
+}
+
+void Agreement::tell_agreed(const Contradiction& c) {
+  RepairChange change = change_of(c);
+  change.kind = RepairKind::agreed;
+  std::vector<std::uint32_t> sources;
+  for (const std::uint32_t p : lines_[c.line].planes)
+    if (p != c.plane) sources.push_back(plane(p).source);
+  std::sort(sources.begin(), sources.end());
+  const bool in = targets_[c.line].spans[c.span].state == Inside::yes;
+  change.text = (in ? "the section was extended" : "the section was taken back") +
+                std::string(" on the common line with ") + others_of(*this, sources);
+  work_.note(std::move(change));
+}
+
+void Agreement::tell_left(const Contradiction& c, bool beyond) {
+  RepairChange change = change_of(c);
+  change.kind = RepairKind::left_as_it_is;
+  std::vector<std::uint32_t> sources;
+  for (const std::uint32_t p : lines_[c.line].planes)
+    if (p != c.plane) sources.push_back(plane(p).source);
+  std::sort(sources.begin(), sources.end());
+  change.text = "the section disagrees on the common line with " + others_of(*this, sources) +
+                (beyond ? ": more than the limit" : ": no way was found");
+  work_.note(std::move(change));
+}
+
+std::vector<Patch> Agreement::patches_of(std::uint32_t p) {
+  PlaneLines in_plane{sections_[p], {}};
+  for (const CommonLine& l : lines_)
+    if (std::binary_search(l.planes.begin(), l.planes.end(), p)) in_plane.lines.push_back(&l);
+  std::vector<Patch> patches;
+  for (const Contradiction& c : contradictions_) {
+    if (c.plane != p) continue;
+    const LineTarget& target = targets_[c.line];
+    const TargetSpan& span = target.spans[c.span];
+    patches.push_back(lens(in_plane, lines_[c.line], target, span, c.misfits));
+    const bool whole = c.misfits[0].begin <= span.begin && c.misfits[0].end >= span.end;
+    Patch strip;
+    if (span.state == Inside::yes && whole && bridge(in_plane, lines_[c.line], target, span, strip))
+      patches.push_back(std::move(strip));
+  }
+  return patches;
+}
+
+void Agreement::edit(std::uint32_t p, const std::vector<Patch>& patches) {
+  WorkPlane& w = plane(p);
+  const SectionEdit edit = edit_section(w.section, work_.chart(w), patches);
+  w.edited |= edit.changed;
+  if (edit.changed && edit.borders != 0)
+    work_.note({RepairKind::borders_left_out, w.source, kNone, kNone, edit.borders, 0, edit.point,
+                count_of(edit.borders, "edge", "edges") + " between two materials left out"});
+}
+
+/// False if there was nothing to do.
+bool Agreement::apply() {
+  const std::vector<bool> beyond = beyond_limit();
+  std::vector<Contradiction> within;
+  for (std::size_t i = 0; i < beyond.size(); ++i)
+    if (!beyond[i]) within.push_back(contradictions_[i]);
+  if (within.empty()) return false;
+  contradictions_ = std::move(within);
+  std::map<std::uint32_t, std::vector<Patch>> patches;
+  for (const Contradiction& c : contradictions_) {
+    tell_agreed(c);
+    if (!patches.contains(c.plane)) patches[c.plane] = patches_of(c.plane);
+  }
+  for (const auto& [p, list] : patches) {
+    edit(p, list);
+    sections_[p] = SectionBoundary(plane(p).section, planes_[p], work_.chart(plane(p)));
+  }
+  return true;
+}
+
+void Agreement::tell_all_left() {
+  const std::vector<bool> beyond = beyond_limit();
+  for (std::size_t i = 0; i < contradictions_.size(); ++i) tell_left(contradictions_[i], beyond[i]);
+}
+
+bool Agreement::run() {
+  order_planes();
+  for (std::uint32_t round = 0; round < kMostRounds; ++round) {
+    if (context_.cancelled()) return false;
+    look();
+    ++work_.result.rounds;
+    const auto all = contradictions_;
+    if (!apply()) break;
+    if (round + 1 == kMostRounds) look();
+  }
+  tell_all_left();
+  return true;
+}
+
+}  // namespace
+
+bool repair_agreement(Work& work, const Context& context) { return Agreement(work, context).run(); }
+
+}  // namespace crossloft::repair_steps
