@@ -48,7 +48,9 @@ class Agreement {
   std::vector<bool> beyond_limit();
   void join_touching(DisjointParts& groups) const;
   bool apply();
-  std::vector<Patch> patches_of(std::uint32_t plane);
+  PlaneLines lines_in(std::uint32_t plane) const;
+  void add_plugs(std::uint32_t plane, const PlaneLines& in_plane, std::vector<Patch>& patches) const;
+  std::vector<Patch> patches_of(std::uint32_t plane) const;
   void edit(std::uint32_t plane, const std::vector<Patch>& patches);
   void tell_agreed(const Contradiction& c);
   void tell_left(const Contradiction& c, bool beyond);
@@ -172,7 +174,7 @@ std::vector<bool> Agreement::beyond_limit() {
   }
   std::vector<bool> beyond;
   for (std::uint32_t i = 0; i < contradictions_.size(); ++i)
-    beyond.push_back(depth[groups.find(i)] > work_.options.limit * work_.diagonal);
+    beyond.push_back(kPush * depth[groups.find(i)] > work_.options.limit * work_.diagonal);
   return beyond;
 }
 
@@ -219,21 +221,54 @@ void Agreement::tell_left(const Contradiction& c, bool beyond) {
   work_.note(std::move(change));
 }
 
-std::vector<Patch> Agreement::patches_of(std::uint32_t p) {
+PlaneLines Agreement::lines_in(std::uint32_t p) const {
   PlaneLines in_plane{sections_[p], {}};
-  for (const CommonLine& l : lines_)
-    if (std::binary_search(l.planes.begin(), l.planes.end(), p)) in_plane.lines.push_back(&l);
+  const double least = work_.options.agree * work_.diagonal;
+  for (std::uint32_t l = 0; l < lines_.size(); ++l) {
+    if (!std::binary_search(lines_[l].planes.begin(), lines_[l].planes.end(), p)) continue;
+    LineInPlane line{&lines_[l], targets_[l].spans.empty() ? nullptr : &targets_[l], {}};
+    for (const Contradiction& c : contradictions_) {
+      if (c.plane != p || c.line != l) continue;
+      const bool inside = targets_[l].spans[c.span].state == Inside::yes;
+      for (const Misfit& m : c.misfits)
+        line.corrections.emplace_back(sections_[p], lines_[l], targets_[l], m, inside, least);
+    }
+    in_plane.lines.push_back(std::move(line));
+  }
+  return in_plane;
+}
+
+/// Contested points of the plane that one of its misfits holds.
+void Agreement::add_plugs(std::uint32_t p, const PlaneLines& in_plane, std::vector<Patch>& patches) const {
+  for (const ContestedPoint& c : contested_) {
+    if (!std::binary_search(c.point.planes.begin(), c.point.planes.end(), p)) continue;
+    std::vector<const CommonLine*> through;
+    for (const std::uint32_t l : c.point.lines) through.push_back(&lines_[l]);
+    const bool inside = c.blend < 0;
+    const bool misfit = std::any_of(in_plane.lines.begin(), in_plane.lines.end(), [&](const LineInPlane& l) {
+      if (std::find(through.begin(), through.end(), l.line) == through.end()) return false;
+      const double t = l.line->parameter(c.point.point);
+      return std::any_of(l.corrections.begin(), l.corrections.end(), [&](const Correction& correction) {
+        return correction.holds(t) && correction.inside() == inside;
+      });
+    });
+    if (!misfit) continue;
+    const double radius = work_.options.agree * work_.diagonal;
+    patches.push_back(plug(in_plane, c.point.point, through, inside, radius));
+  }
+}
+
+std::vector<Patch> Agreement::patches_of(std::uint32_t p) const {
+  const PlaneLines in_plane = lines_in(p);
   std::vector<Patch> patches;
   for (const Contradiction& c : contradictions_) {
     if (c.plane != p) continue;
-    const LineTarget& target = targets_[c.line];
-    const TargetSpan& span = target.spans[c.span];
-    patches.push_back(lens(in_plane, lines_[c.line], target, span, c.misfits));
-    const bool whole = c.misfits[0].begin <= span.begin && c.misfits[0].end >= span.end;
-    Patch strip;
-    if (span.state == Inside::yes && whole && bridge(in_plane, lines_[c.line], target, span, strip))
-      patches.push_back(std::move(strip));
+    const auto line = std::find_if(in_plane.lines.begin(), in_plane.lines.end(),
+                                   [&](const LineInPlane& l) { return l.line == &lines_[c.line]; });
+    patches.push_back(lens(in_plane, static_cast<std::size_t>(line - in_plane.lines.begin()),
+                           targets_[c.line].spans[c.span], work_.options.agree * work_.diagonal));
   }
+  add_plugs(p, in_plane, patches);
   return patches;
 }
 
@@ -277,7 +312,6 @@ bool Agreement::run() {
     if (context_.cancelled()) return false;
     look();
     ++work_.result.rounds;
-    const auto all = contradictions_;
     if (!apply()) break;
     if (round + 1 == kMostRounds) look();
   }

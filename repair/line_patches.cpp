@@ -1,21 +1,25 @@
 #include "line_patches.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace crossloft {
 namespace {
 
-/// Height of a lens over the blend: the tangent of the angle between the new contour and the line.
-constexpr double kSlope = 3;
 /// A lens keeps off other lines by a part of the way to them.
 constexpr double kOfWay = 0.7;
 constexpr double kOnLine = 1e-12;
+/// Flatness of the rays at the ends of a span: way along the line over way beside it.
+constexpr std::array kFan{4.0, 2.0, 1.0, 0.5, 0.25, 0.0};
+/// Samples of a ray.
+constexpr int kAlongRay = 24, kBisections = 8;
 
 /// How far the ray from p runs to the nearest other line of the plane.
 double way_to_lines(const PlaneLines& plane, const CommonLine& own, Vec3 p, Vec3 ray) {
   double way = HUGE_VAL;
-  for (const CommonLine* line : plane.lines) {
+  for (const LineInPlane& in_plane : plane.lines) {
+    const CommonLine* line = in_plane.line;
     if (line == &own) continue;
     const Vec3 aside = cross(plane.section.plane().normal, line->direction);
     const double speed = dot(aside, ray), off = dot(aside, line->point - p);
@@ -27,45 +31,109 @@ double way_to_lines(const PlaneLines& plane, const CommonLine& own, Vec3 p, Vec3
 
 class LensShape {
  public:
-  LensShape(const PlaneLines& plane, const CommonLine& line, const LineTarget& target, const TargetSpan& span,
-            std::span<const Misfit> misfits)
-      : plane_(plane), line_(line), target_(target), span_(span), misfits_(misfits) {
-    for (const Misfit& m : misfits) {
-      double size = std::min(std::max(blend(m.begin), blend(m.end)), m.depth);
-      for (const double t : target.nodes)
-        if (t > m.begin && t < m.end) size = std::max(size, std::min(blend(t), m.depth));
-      sizes_.push_back(size);
-      deepest_ = std::max(deepest_, m.depth);
+  LensShape(const PlaneLines& plane, std::size_t line, const TargetSpan& span, double least)
+      : plane_(plane), line_(*plane.lines[line].line), inside_(span.state == Inside::yes), least_(least) {
+    const LineInPlane& own = plane.lines[line];
+    for (const Correction& c : own.corrections) {
+      if (c.inside() != inside_) continue;
+      corrections_.push_back(&c);
+      c.add_samples(samples_);
+      reach_ = std::max(reach_, c.reach());
     }
+    samples_.insert(samples_.end(), own.target->nodes.begin(), own.target->nodes.end());
+    std::sort(samples_.begin(), samples_.end());
+    samples_.erase(std::unique(samples_.begin(), samples_.end()), samples_.end());
+    std::erase_if(samples_, [&](double t) { return t <= span.begin || t >= span.end || own_correction(t, 0) == 0; });
   }
 
-  /// At a point of the line, to one side of it.
-  double height(double t, Vec3 ray) const {
-    double fall = 0;
-    for (std::size_t k = 0; k < misfits_.size(); ++k) {
-      const Misfit& m = misfits_[k];
-      const double beyond = std::max({0.0, m.begin - t, t - m.end});
-      fall = std::max(fall, kSlope * sizes_[k] - beyond);
+  const std::vector<double>& samples() const { return samples_; }
+
+  /// At a point of the line, to each side of it. It has no height on one side alone: a contour would run
+  /// along the line.
+  std::array<double, 2> heights(double t, Vec3 aside) const {
+    const bool misfit =
+        std::any_of(corrections_.begin(), corrections_.end(), [&](const Correction* c) { return c->holds(t); });
+    std::array<double, 2> h{};
+    for (const int side : {0, 1}) {
+      const Ray ray = ray_from(t, side == 0 ? aside : -aside);
+      const double floor = misfit ? std::min(least_, ray.room) : 0;
+      h[static_cast<std::size_t>(side)] = belongs(ray, 0) ? std::max(length(ray), floor) : floor;
     }
-    const Vec3 p = line_.at(t);
-    double h = std::min({fall, kSlope * blend(t), kOfWay * way_to_lines(plane_, line_, p, ray)});
-    for (int halvings = 0; h > 0 && goes_too_far(p + h * ray); ++halvings) h = halvings < 8 ? h / 2 : 0;
-    return h;
+    return h[0] > 0 && h[1] > 0 ? h : std::array<double, 2>{0, 0};
+  }
+
+  /// Ends of slanted rays from an end of the span, the flattest first: where the contour runs at a small angle
+  /// to the line, the lens has to reach beyond the span's end without touching the line there.
+  std::vector<Vec3> fan(double t, Vec3 outwards, Vec3 aside) const {
+    std::vector<Vec3> ends;
+    for (const double flatness : kFan) {
+      const Vec3 slanted = aside + flatness * outwards;
+      const Ray ray = ray_from(t, (1 / norm(slanted)) * slanted);
+      if (const double l = ray.room > 0 ? length(ray) : 0; l > 0) ends.push_back(ray.from + l * ray.direction);
+    }
+    return ends;
   }
 
  private:
-  double blend(double t) const { return std::fabs(target_.blend_at(t)); }
-  bool goes_too_far(Vec3 p) const {
-    return plane_.section.inside(p) != (span_.state == Inside::yes) && plane_.section.distance(p) > deepest_;
+  struct Ray {
+    Vec3 from, direction;
+    double t = 0;      ///< where it begins
+    double along = 0;  ///< the line, of a step
+    double off = 0;    ///< the line, of a step
+    double room = 0;   ///< how far it may run
+  };
+
+  Ray ray_from(double t, Vec3 direction) const {
+    Ray ray{line_.at(t), direction, t, dot(direction, line_.direction), 0, 0};
+    ray.room = std::min(2 * reach_, kOfWay * way_to_lines(plane_, line_, ray.from, direction));
+    ray.off = std::sqrt(std::max(0.0, 1 - ray.along * ray.along));
+    return ray;
+  }
+
+  double own_correction(double t, double s) const {
+    double size = 0;
+    for (const Correction* c : corrections_) size = std::max(size, (*c)(t, s));
+    return size;
+  }
+
+  /// No larger than what another line asks for, but for the way to it.
+  double correction(const Ray& ray, double s) const {
+    double size = own_correction(ray.t + s * ray.along, s * ray.off);
+    const Vec3 p = ray.from + s * ray.direction;
+    for (const LineInPlane& other : plane_.lines) {
+      if (size == 0 || other.line == &line_) continue;
+      const double t = other.line->parameter(p), way = norm(p - other.line->at(t));
+      double theirs = 0;
+      for (const Correction& c : other.corrections)
+        if (c.inside() == inside_) theirs = std::max(theirs, c(t, 0));
+      size = std::min(size, theirs + way / kReach);
+    }
+    return size;
+  }
+
+  /// f and the correction are on the span's side.
+  bool belongs(const Ray& ray, double s) const {
+    if (!(ray.room > 0)) return false;
+    const double f = plane_.section.signed_distance(ray.from + s * ray.direction);
+    return (inside_ ? f : -f) < correction(ray, s);
+  }
+
+  /// Up to where all of the ray belongs, its beginning not asked.
+  double length(const Ray& ray) const {
+    int k = 1;
+    while (k <= kAlongRay && belongs(ray, ray.room * k / kAlongRay)) ++k;
+    if (k > kAlongRay) return ray.room;
+    double in = ray.room * (k - 1) / kAlongRay, out = ray.room * k / kAlongRay;
+    for (int i = 0; i < kBisections; ++i) (belongs(ray, in / 2 + out / 2) ? in : out) = in / 2 + out / 2;
+    return in;
   }
 
   const PlaneLines& plane_;
   const CommonLine& line_;
-  const LineTarget& target_;
-  const TargetSpan& span_;
-  std::span<const Misfit> misfits_;
-  std::vector<double> sizes_;  ///< by misfit: the largest blend in it
-  double deepest_ = 0;
+  bool inside_;
+  double least_, reach_ = 0;
+  std::vector<const Correction*> corrections_;
+  std::vector<double> samples_;
 };
 
 void add_corner(Patch& patch, Vec3 p, bool fixed) {
@@ -73,57 +141,42 @@ void add_corner(Patch& patch, Vec3 p, bool fixed) {
   patch.fixed.push_back(fixed);
 }
 
-/// True iff p and q are on one side of each other line of the plane, and neither on one.
-bool same_face(const PlaneLines& plane, const CommonLine& own, Vec3 p, Vec3 q) {
-  return std::all_of(plane.lines.begin(), plane.lines.end(), [&](const CommonLine* line) {
-    const Vec3 aside = cross(plane.section.plane().normal, line->direction);
-    return line == &own || dot(aside, p - line->point) * dot(aside, q - line->point) > 0;
-  });
-}
-
 }  // namespace
 
-Patch lens(const PlaneLines& plane, const CommonLine& line, const LineTarget& target, const TargetSpan& span,
-           std::span<const Misfit> misfits) {
-  const LensShape shape(plane, line, target, span, misfits);
+Patch lens(const PlaneLines& plane, std::size_t number, const TargetSpan& span, double least) {
+  const LensShape shape(plane, number, span, least);
+  const CommonLine& line = *plane.lines[number].line;
   const Vec3 aside = cross(plane.section.plane().normal, line.direction);
-  std::vector<double> inner;
-  for (const double t : target.nodes)
-    if (t > span.begin && t < span.end) inner.push_back(t);
   Patch patch;
   patch.kind = span.state == Inside::yes ? LayerKind::added : LayerKind::removed;
-  add_corner(patch, line.at(span.begin), true);
-  for (const double t : inner) add_corner(patch, line.at(t) + shape.height(t, aside) * aside, false);
-  add_corner(patch, line.at(span.end), true);
-  std::reverse(inner.begin(), inner.end());
-  for (const double t : inner) add_corner(patch, line.at(t) - shape.height(t, -aside) * aside, false);
+  for (const bool up : {true, false}) {
+    const Vec3 side = up ? aside : -aside;
+    std::vector<Vec3> chain = shape.fan(span.begin, -line.direction, side);
+    for (const double t : shape.samples())
+      chain.push_back(line.at(t) + shape.heights(t, aside)[up ? 0 : 1] * side);
+    std::vector<Vec3> end = shape.fan(span.end, line.direction, side);
+    chain.insert(chain.end(), end.rbegin(), end.rend());
+    if (!up) std::reverse(chain.begin(), chain.end());
+    add_corner(patch, line.at(up ? span.begin : span.end), true);
+    for (const Vec3& p : chain) add_corner(patch, p, false);
+  }
   return patch;
 }
 
-bool bridge(const PlaneLines& plane, const CommonLine& line, const LineTarget& target, const TargetSpan& span,
-            Patch& patch) {
-  if (plane.section.empty()) return false;
-  double deepest = span.begin / 2 + span.end / 2;
-  for (const double t : target.nodes)
-    if (t > span.begin && t < span.end && target.blend_at(t) < target.blend_at(deepest)) deepest = t;
-  const Vec3 from = line.at(deepest);
-  std::uint32_t contour = kNone;
-  const Vec3 way = plane.section.nearest(from, contour) - from;
-  const double length = norm(way);
-  if (!(length > 0)) return false;
-  double width = std::min(deepest - span.begin, span.end - deepest) / 2;
-  const Vec3 aside = cross(plane.section.plane().normal, line.direction);
-  for (int halvings = 0; halvings < 6; ++halvings, width /= 2) {
-    const Vec3 foot = width * line.direction, to = from + (1 + std::min(width / length, 0.5)) * way;
-    const Vec3 left = to - 0.5 * foot, right = to + 0.5 * foot;
-    const bool clear = same_face(plane, line, from - foot, left) && same_face(plane, line, from + foot, right) &&
-                       same_face(plane, line, left, right) &&
-                       dot(aside, left - line.point) * dot(aside, way) > 0;
-    if (!clear) continue;
-    patch = {LayerKind::added, {from - foot, from + foot, right, left}, {false, false, false, false}};
-    return true;
+Patch plug(const PlaneLines& plane, Vec3 point, const std::vector<const CommonLine*>& through, bool inside,
+           double radius) {
+  for (const LineInPlane& l : plane.lines) {
+    if (!l.target || std::find(through.begin(), through.end(), l.line) == through.end()) continue;
+    const double t = l.line->parameter(point);
+    for (const TargetSpan& span : l.target->spans)
+      if (span.begin <= t && t <= span.end) radius = std::min({radius, (t - span.begin) / 2, (span.end - t) / 2});
   }
-  return false;
+  Patch patch;
+  patch.kind = inside ? LayerKind::added : LayerKind::removed;
+  const Vec3 n = plane.section.plane().normal, u = through[0]->direction, v = cross(n, u);
+  for (const auto& [x, y] : {std::pair{4, 1}, {1, 4}, {-1, 4}, {-4, 1}, {-4, -1}, {-1, -4}, {1, -4}, {4, -1}})
+    add_corner(patch, point + (radius * x / 4) * u + (radius * y / 4) * v, false);
+  return patch;
 }
 
 }  // namespace crossloft

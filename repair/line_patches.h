@@ -4,30 +4,37 @@
 #include <span>
 #include <vector>
 
-#include "line_target.h"
+#include "correction.h"
 #include "section_edit.h"
 
 namespace crossloft {
 
+/// A common line in a plane, and how the plane's section has to be corrected there.
+struct LineInPlane {
+  const CommonLine* line = nullptr;
+  const LineTarget* target = nullptr;  ///< null where nothing is contested
+  std::vector<Correction> corrections;
+};
+
 /// A plane and all common lines in it.
 struct PlaneLines {
   const SectionBoundary& section;
-  std::vector<const CommonLine*> lines;
+  std::vector<LineInPlane> lines;
 };
 
-/// The patch for the misfits of one span: a lens around the line, added where the span is inside and removed
-/// where it is outside.
+/// The patch for the misfits of one span of a line: a lens around the line, added where the span is inside and
+/// removed where it is outside.
 ///
-/// It touches the line in the span alone and no other line of the plane but at common points. Its height is
-/// kSlope times the blend, so that the contour bends away from the line's target in an angle of 1 : kSlope,
-/// falls off by slope 1 beyond the misfits, and stays where points are no further from the contour than the
-/// deepest of the misfits. O(nodes of the span * (lines + n)).
-Patch lens(const PlaneLines& plane, const CommonLine& line, const LineTarget& target, const TargetSpan& span,
-           std::span<const Misfit> misfits);
+/// It is where the signed distance from the contour and the correction together are on the side of the span,
+/// seen from the line: the contour moves by no more than the correction and joins the old one at a flat angle.
+/// Next to other lines the correction goes down to theirs. The lens touches its line in the span alone, and other lines of the
+/// plane at common points alone. Within misfits its height is `least` at least, where other lines leave room.
+/// O(samples * n), some 50 samples for each misfit.
+Patch lens(const PlaneLines& plane, std::size_t line, const TargetSpan& span, double least);
 
-/// Where the section does not reach the span at all: a strip from the line to the nearest point of the
-/// contour. False if there is none that stays clear of other lines; the lens is an island then.
-bool bridge(const PlaneLines& plane, const CommonLine& line, const LineTarget& target, const TargetSpan& span,
-            Patch& patch);
+/// A small patch around a common point that the section is on the wrong side of: lenses have no height there.
+/// `radius` at most, and within the spans of all lines of the plane through the point.
+Patch plug(const PlaneLines& plane, Vec3 point, const std::vector<const CommonLine*>& through, bool inside,
+           double radius);
 
 }  // namespace crossloft
