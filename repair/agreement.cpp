@@ -276,6 +276,12 @@ void Agreement::edit(std::uint32_t p, const std::vector<Patch>& patches) {
   WorkPlane& w = plane(p);
   const SectionEdit edit = edit_section(w.section, work_.chart(w), patches);
   w.edited |= edit.changed;
+  double deepest = 0;
+  for (const Contradiction& c : contradictions_)
+    if (c.plane == p) deepest = std::max(deepest, c.depth());
+  if (const std::uint32_t crumbs = drop_crumbs(w.section, lines_in(p), 2 * kPush * deepest); crumbs != 0)
+    work_.note({RepairKind::tiny_loop, w.source, kNone, kNone, crumbs, 2 * kPush * deepest, edit.point,
+                count_of(crumbs, "piece", "pieces") + " of the section that its changes left over"});
   if (edit.changed && edit.borders != 0)
     work_.note({RepairKind::borders_left_out, w.source, kNone, kNone, edit.borders, 0, edit.point,
                 count_of(edit.borders, "edge", "edges") + " between two materials left out"});

@@ -8,6 +8,7 @@
 #include "disjoint_parts.h"
 #include "repair_steps.h"
 #include "section_edit.h"
+#include "segment_distance.h"
 
 namespace crossloft::repair_steps {
 namespace {
@@ -94,13 +95,6 @@ void merge_repeated(Work& work, WorkPlane& plane) {
   for (ContourEdge& e : p.edges) e.a = least[parts.find(e.a)], e.b = least[parts.find(e.b)];
   drop_dead(p);
   tell(work, plane, RepairKind::repeated_vertices, tallies, " in the place of their neighbours");
-}
-
-double distance_to_segment(Vec3 a, Vec3 b, Vec3 p) {
-  const Vec3 d = b - a, e = p - a;
-  const double along = dot(e, d), length2 = dot(d, d);
-  if (along <= 0) return norm(e);
-  return along >= length2 ? norm(p - b) : norm(cross(e, d)) / std::sqrt(length2);
 }
 
 /// Width of the spike u v w, infinite if there is none.

@@ -3,17 +3,23 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
+
+#include "disjoint_parts.h"
 
 namespace crossloft {
 namespace {
 
 /// A lens keeps off other lines by a part of the way to them.
 constexpr double kOfWay = 0.7;
+/// A correction goes down to that of another line within the way to it: what a contour needs next to a point that
+/// stays where it is grows with the distance from it, by slope 1 at most.
+constexpr double kSteepest = 1.25;
 constexpr double kOnLine = 1e-12;
 /// Flatness of the rays at the ends of a span: way along the line over way beside it.
 constexpr std::array kFan{4.0, 2.0, 1.0, 0.5, 0.25, 0.0};
-/// Samples of a ray.
-constexpr int kAlongRay = 24, kBisections = 8;
+/// Samples of a ray, and of its beginning.
+constexpr int kAlongRay = 24, kBeginning = 6, kBisections = 8;
 
 /// How far the ray from p runs to the nearest other line of the plane.
 double way_to_lines(const PlaneLines& plane, const CommonLine& own, Vec3 p, Vec3 ray) {
@@ -106,7 +112,7 @@ class LensShape {
       double theirs = 0;
       for (const Correction& c : other.corrections)
         if (c.inside() == inside_) theirs = std::max(theirs, c(t, 0));
-      size = std::min(size, theirs + way / kReach);
+      size = std::min(size, theirs + kSteepest * way);
     }
     return size;
   }
@@ -118,11 +124,14 @@ class LensShape {
     return (inside_ ? f : -f) < correction(ray, s);
   }
 
-  /// Up to where all of the ray belongs, its beginning not asked.
+  /// Up to where all of the ray belongs. Its beginning is not asked: from an end of the span it is on the
+  /// border of what belongs.
   double length(const Ray& ray) const {
     int k = 1;
+    while (k < kBeginning && !belongs(ray, ray.room * k / kAlongRay)) ++k;
     while (k <= kAlongRay && belongs(ray, ray.room * k / kAlongRay)) ++k;
     if (k > kAlongRay) return ray.room;
+    if (k == kBeginning && !belongs(ray, ray.room * (k - 1) / kAlongRay)) return 0;
     double in = ray.room * (k - 1) / kAlongRay, out = ray.room * k / kAlongRay;
     for (int i = 0; i < kBisections; ++i) (belongs(ray, in / 2 + out / 2) ? in : out) = in / 2 + out / 2;
     return in;
@@ -177,6 +186,32 @@ Patch plug(const PlaneLines& plane, Vec3 point, const std::vector<const CommonLi
   for (const auto& [x, y] : {std::pair{4, 1}, {1, 4}, {-1, 4}, {-4, 1}, {-4, -1}, {-1, -4}, {1, -4}, {4, -1}})
     add_corner(patch, point + (radius * x / 4) * u + (radius * y / 4) * v, false);
   return patch;
+}
+
+std::uint32_t drop_crumbs(PlaneSection& section, const PlaneLines& plane, double size) {
+  DisjointParts parts(section.vertices.size());
+  for (const ContourEdge& e : section.edges) parts.unite(e.a, e.b);
+  struct Part {
+    Bounds box;
+    bool fresh = false, meets_line = false;
+  };
+  std::map<std::uint32_t, Part> found;
+  for (const ContourEdge& e : section.edges) {
+    Part& part = found[parts.find(e.a)];
+    const Vec3 a = section.vertices[e.a], b = section.vertices[e.b];
+    part.box.add(a), part.box.add(b);
+    part.fresh |= e.contour == kNone;
+    for (const LineInPlane& l : plane.lines) {
+      const Vec3 aside = cross(plane.section.plane().normal, l.line->direction);
+      const double on = kOnLine * l.line->reach, s = dot(aside, a - l.line->point), t = dot(aside, b - l.line->point);
+      part.meets_line |= std::fabs(s) <= on || std::fabs(t) <= on || (s < 0) != (t < 0);
+    }
+  }
+  std::erase_if(found, [&](const auto& entry) {
+    return !entry.second.fresh || entry.second.meets_line || entry.second.box.diagonal() > size;
+  });
+  std::erase_if(section.edges, [&](const ContourEdge& e) { return found.contains(parts.find(e.a)); });
+  return static_cast<std::uint32_t>(found.size());
 }
 
 }  // namespace crossloft

@@ -37,4 +37,8 @@ Patch lens(const PlaneLines& plane, std::size_t line, const TargetSpan& span, do
 Patch plug(const PlaneLines& plane, Vec3 point, const std::vector<const CommonLine*>& through, bool inside,
            double radius);
 
+/// Loops with new edges (contour kNone) that meet no line and are no larger than `size` go: pieces that lenses
+/// left over. Returns how many. O(n * lines).
+std::uint32_t drop_crumbs(PlaneSection& section, const PlaneLines& plane, double size);
+
 }  // namespace crossloft

@@ -1,10 +1,12 @@
 #include "section_edit.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 
 #include "disjoint_parts.h"
+#include "segment_distance.h"
 
 namespace crossloft {
 namespace {
@@ -81,15 +83,43 @@ void add_patch(Layers& layers, const Patch& patch, const PlaneChart& chart, Plac
   }
 }
 
-/// The material that new edges bound: of the walls that of the least number.
-std::int32_t material_of(const PlaneSection& section) {
-  std::int32_t least = 0;
+/// The material that a new edge bounds: that of the nearest wall.
+std::int32_t material_at(const PlaneSection& section, Vec3 p) {
+  std::int32_t material = 1;
+  double least = HUGE_VAL;
+  for (const ContourEdge& e : section.edges) {
+    if (!is_wall(e)) continue;
+    const double d = distance_to_segment(section.vertices[e.a], section.vertices[e.b], p);
+    const std::int32_t m = e.material_a + e.material_b;
+    if (d < least || (d == least && m < material)) least = d, material = m;
+  }
+  return material;
+}
+
+std::set<std::int32_t> materials_of(const PlaneSection& section) {
+  std::set<std::int32_t> materials;
   for (const ContourEdge& e : section.edges)
-    if (is_wall(e)) {
-      const std::int32_t m = e.material_a + e.material_b;
-      least = least == 0 ? m : std::min(least, m);
-    }
-  return least == 0 ? 1 : least;
+    if (is_wall(e)) materials.insert(e.material_a + e.material_b);
+  return materials;
+}
+
+/// Borders between materials that still end at other edges on both ends. Returns how many were left out.
+std::uint32_t keep_borders(const std::vector<ContourEdge>& before, std::vector<ContourEdge>& edges) {
+  std::vector<ContourEdge> borders;
+  std::map<std::uint32_t, std::uint32_t> degree;
+  for (const ContourEdge& e : edges) ++degree[e.a], ++degree[e.b];
+  for (const ContourEdge& e : before)
+    if (!is_wall(e) && e.material_a != e.material_b) borders.push_back(e), ++degree[e.a], ++degree[e.b];
+  const std::size_t all = borders.size();
+  const auto loose = [&](const ContourEdge& e) {
+    if (degree[e.a] > 1 && degree[e.b] > 1) return false;
+    --degree[e.a], --degree[e.b];
+    return true;
+  };
+  while (std::erase_if(borders, loose) != 0) {
+  }
+  edges.insert(edges.end(), borders.begin(), borders.end());
+  return static_cast<std::uint32_t>(all - borders.size());
 }
 
 /// Of the first section's edges, those that stay whole and with their ends where they were.
@@ -124,7 +154,11 @@ void note_changes(const Layers& layers, const std::vector<OverlayEdge>& edges, c
 }
 
 std::vector<ContourEdge> rebuilt_edges(const Layers& layers, const std::vector<OverlayEdge>& edges,
-                                       const std::vector<bool>& whole, std::int32_t material, Places& places) {
+                                       const std::vector<bool>& whole, const PlaneSection& section,
+                                       Places& places) {
+  const std::set<std::int32_t> materials = materials_of(section);
+  const bool alike = materials.size() <= 1;
+  const std::int32_t first = materials.empty() ? 1 : *materials.begin();
   for (const OverlayEdge& e : edges)
     if (whole[e.segment]) {
       places.offer(e.a, layers.origin[e.segment]->a);
@@ -133,7 +167,8 @@ std::vector<ContourEdge> rebuilt_edges(const Layers& layers, const std::vector<O
   std::vector<ContourEdge> rebuilt;
   for (const OverlayEdge& e : edges) {
     const ContourEdge* origin = layers.origin[e.segment];
-    ContourEdge edge = origin ? *origin : ContourEdge{0, 0, material, 0, kNone, 0};
+    ContourEdge edge = origin ? *origin : ContourEdge{0, 0, 1, 0, kNone, 0};
+    if (!origin) edge.material_a = alike ? first : material_at(section, places.position(e.a));
     if (!whole[e.segment]) {
       const bool own = origin && layers.segments[e.segment].layer == 0;
       const LayerSegment& s = layers.segments[e.segment];
@@ -159,11 +194,8 @@ SectionEdit edit_section(PlaneSection& section, const PlaneChart& chart, std::sp
   SectionEdit edit;
   note_changes(layers, edges, whole, section, chart, edit);
   if (!edit.changed) return edit;
-  std::vector<ContourEdge> rebuilt = rebuilt_edges(layers, edges, whole, material_of(section), places);
-  edit.borders =
-      static_cast<std::uint32_t>(std::count_if(section.edges.begin(), section.edges.end(), [](const auto& e) {
-        return !is_wall(e) && e.material_a != e.material_b;
-      }));
+  std::vector<ContourEdge> rebuilt = rebuilt_edges(layers, edges, whole, section, places);
+  edit.borders = keep_borders(section.edges, rebuilt);
   section.edges = std::move(rebuilt);
   return edit;
 }

@@ -5,15 +5,10 @@
 #include <limits>
 
 #include "section_edit.h"
+#include "segment_distance.h"
 
 namespace crossloft {
 namespace {
-
-Vec3 nearest_on(Vec3 a, Vec3 b, Vec3 p) {
-  const Vec3 d = b - a;
-  const double along = dot(p - a, d), length2 = dot(d, d);
-  return along <= 0 || length2 == 0 ? a : along >= length2 ? b : a + (along / length2) * d;
-}
 
 /// An end of a wall seen from the line: how far along it, and how far beside it (0 if on it).
 struct Beside {
@@ -93,7 +88,7 @@ Trace SectionBoundary::trace(const CommonLine& line, double on) const {
 double SectionBoundary::distance(Vec3 p) const {
   if (empty()) return std::numeric_limits<double>::infinity();
   const double squared = tree_->nearest(p, [&](std::uint32_t w) {
-    const Vec3 d = nearest_on(walls_[w].a, walls_[w].b, p) - p;
+    const Vec3 d = nearest_on_segment(walls_[w].a, walls_[w].b, p) - p;
     return dot(d, d);
   });
   return std::sqrt(squared);
@@ -114,7 +109,7 @@ Vec3 SectionBoundary::nearest(Vec3 p, std::uint32_t& contour) const {
   double least = std::numeric_limits<double>::infinity();
   Vec3 best = p;
   for (const WallSegment& w : walls_) {
-    const Vec3 q = nearest_on(w.a, w.b, p);
+    const Vec3 q = nearest_on_segment(w.a, w.b, p);
     const double d = dot(q - p, q - p);
     if (d > least || (d == least && !(q < best))) continue;
     least = d, best = q, contour = w.contour;
