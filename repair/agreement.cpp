@@ -114,7 +114,13 @@ void Agreement::look_at_line(std::uint32_t line,
   for (std::uint32_t s = 0; s < targets_[line].spans.size(); ++s)
     for (std::size_t k = 0; k < l.planes.size(); ++k) {
       const TargetSpan& span = targets_[line].spans[s];
-      auto found = misfits(setting_, l, l.planes[k], traces[k], targets_[line], span, least);
+      auto found = misfits(setting_, l, l.planes[k], traces[k], targets_[line], span);
+      std::erase_if(found, [&](const Misfit& m) {
+        return m.end - m.begin < least && std::none_of(contested[line].begin(), contested[line].end(), [&](auto* c) {
+          const double t = l.parameter(c->point.point);
+          return m.begin - setting_.on <= t && t <= m.end + setting_.on;
+        });
+      });
       if (!found.empty()) contradictions_.push_back({line, s, l.planes[k], std::move(found)});
     }
 }

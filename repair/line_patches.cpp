@@ -53,16 +53,17 @@ class LensShape {
   }
 
   const std::vector<double>& samples() const { return samples_; }
+  bool is_misfit(double t) const {
+    return std::any_of(corrections_.begin(), corrections_.end(), [&](const Correction* c) { return c->holds(t); });
+  }
 
   /// At a point of the line, to each side of it. It has no height on one side alone: a contour would run
   /// along the line.
   std::array<double, 2> heights(double t, Vec3 aside) const {
-    const bool misfit =
-        std::any_of(corrections_.begin(), corrections_.end(), [&](const Correction* c) { return c->holds(t); });
     std::array<double, 2> h{};
     for (const int side : {0, 1}) {
       const Ray ray = ray_from(t, side == 0 ? aside : -aside);
-      const double floor = misfit ? std::min(least_, ray.room) : 0;
+      const double floor = is_misfit(t) ? std::min(least_, ray.room) : 0;
       h[static_cast<std::size_t>(side)] = belongs(ray, 0) ? std::max(length(ray), floor) : floor;
     }
     return h[0] > 0 && h[1] > 0 ? h : std::array<double, 2>{0, 0};
@@ -72,10 +73,11 @@ class LensShape {
   /// to the line, the lens has to reach beyond the span's end without touching the line there.
   std::vector<Vec3> fan(double t, Vec3 outwards, Vec3 aside) const {
     std::vector<Vec3> ends;
+    if (!is_misfit(t)) return ends;
     for (const double flatness : kFan) {
       const Vec3 slanted = aside + flatness * outwards;
       const Ray ray = ray_from(t, (1 / norm(slanted)) * slanted);
-      if (const double l = ray.room > 0 ? length(ray) : 0; l > 0) ends.push_back(ray.from + l * ray.direction);
+      if (const double l = ray.room > 0 ? length(ray) : 0; l > least_ / 2) ends.push_back(ray.from + l * ray.direction);
     }
     return ends;
   }
@@ -156,19 +158,31 @@ Patch lens(const PlaneLines& plane, std::size_t number, const TargetSpan& span, 
   const LensShape shape(plane, number, span, least);
   const CommonLine& line = *plane.lines[number].line;
   const Vec3 aside = cross(plane.section.plane().normal, line.direction);
+  std::array<std::vector<Vec3>, 2> chains;  // above and below the line
+  for (const std::size_t side : {0u, 1u}) chains[side] = shape.fan(span.begin, -line.direction, side ? -aside : aside);
+  bool reached = shape.is_misfit(span.begin);  // by a part with height
+  for (const double t : shape.samples()) {
+    const auto [up, down] = shape.heights(t, aside);
+    if (!reached && up > 0) {
+      // The lens begins here, on the line, and not at the span's end, which stays as it is.
+      chains[0].push_back(line.at(t));
+      chains[1].push_back(line.at(t));
+    }
+    reached |= up > 0;
+    if (!reached) continue;
+    chains[0].push_back(line.at(t) + up * aside);
+    chains[1].push_back(line.at(t) - down * aside);
+  }
+  for (const std::size_t side : {0u, 1u}) {
+    const std::vector<Vec3> end = shape.fan(span.end, line.direction, side ? -aside : aside);
+    chains[side].insert(chains[side].end(), end.rbegin(), end.rend());
+  }
   Patch patch;
   patch.kind = span.state == Inside::yes ? LayerKind::added : LayerKind::removed;
-  for (const bool up : {true, false}) {
-    const Vec3 side = up ? aside : -aside;
-    std::vector<Vec3> chain = shape.fan(span.begin, -line.direction, side);
-    for (const double t : shape.samples())
-      chain.push_back(line.at(t) + shape.heights(t, aside)[up ? 0 : 1] * side);
-    std::vector<Vec3> end = shape.fan(span.end, line.direction, side);
-    chain.insert(chain.end(), end.rbegin(), end.rend());
-    if (!up) std::reverse(chain.begin(), chain.end());
-    add_corner(patch, line.at(up ? span.begin : span.end), true);
-    for (const Vec3& p : chain) add_corner(patch, p, false);
-  }
+  if (shape.is_misfit(span.begin)) add_corner(patch, line.at(span.begin), true);
+  for (const Vec3& p : chains[0]) add_corner(patch, p, false);
+  if (shape.is_misfit(span.end)) add_corner(patch, line.at(span.end), true);
+  for (std::size_t k = chains[1].size(); k-- > 0;) add_corner(patch, chains[1][k], false);
   return patch;
 }
 

@@ -140,7 +140,7 @@ LineTarget line_target(const LineSetting& setting, const CommonLine& line, std::
 }
 
 std::vector<Misfit> misfits(const LineSetting& setting, const CommonLine& line, std::uint32_t plane,
-                            const Trace& trace, const LineTarget& target, const TargetSpan& span, double least) {
+                            const Trace& trace, const LineTarget& target, const TargetSpan& span) {
   std::vector<Misfit> found;
   if (span.state == Inside::either) return found;
   const auto contradicts = [&](double t0, double t1) {
@@ -162,7 +162,6 @@ std::vector<Misfit> misfits(const LineSetting& setting, const CommonLine& line, 
   for (const double t : target.nodes)
     if (t > span.begin && t < span.end) close_piece(t);
   close_piece(span.end);
-  std::erase_if(found, [&](const Misfit& m) { return m.end - m.begin < least; });
   return found;
 }
 

@@ -57,8 +57,8 @@ double longest_contradiction(std::span<const Trace> traces);
 LineTarget line_target(const LineSetting& setting, const CommonLine& line, std::span<const Trace> traces,
                        std::span<const ContestedPoint* const> contested);
 
-/// Where the trace of a plane contradicts the span, pieces shorter than `least` left out.
+/// Where the trace of a plane contradicts the span.
 std::vector<Misfit> misfits(const LineSetting& setting, const CommonLine& line, std::uint32_t plane,
-                            const Trace& trace, const LineTarget& target, const TargetSpan& span, double least);
+                            const Trace& trace, const LineTarget& target, const TargetSpan& span);
 
 }  // namespace crossloft
