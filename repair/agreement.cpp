@@ -15,6 +15,7 @@
 #include "line_target.h"
 #include "repair_steps.h"
 #include "section_edit.h"
+#include "segment_distance.h"
 
 namespace crossloft::repair_steps {
 namespace {
@@ -55,12 +56,15 @@ class Agreement {
   void tell_agreed(const Contradiction& c);
   void tell_left(const Contradiction& c, bool beyond);
   void tell_all_left();
+  bool touches(std::uint32_t plane, Vec3 before, Vec3 at, Vec3 after) const;
+  void remove_touches(std::uint32_t plane);
   RepairChange change_of(const Contradiction& c) const;
   WorkPlane& plane(std::uint32_t p) { return work_.planes[order_[p]]; }
   const WorkPlane& plane(std::uint32_t p) const { return work_.planes[order_[p]]; }
 
   Work& work_;
   const Context& context_;
+  std::vector<std::uint32_t> given_;  ///< by canonical number: vertices that the section had before
   std::vector<std::uint32_t> order_;  ///< canonical number of a plane -> position in work_.planes
   std::vector<UnitPlane> planes_;
   std::vector<SectionBoundary> sections_;
@@ -80,6 +84,8 @@ void Agreement::order_planes() {
   const auto key = [&](std::uint32_t p) { return std::tie(work_.planes[p].normal, work_.planes[p].offset); };
   std::stable_sort(order_.begin(), order_.end(), [&](auto a, auto b) { return key(a) < key(b); });
   for (const std::uint32_t p : order_) planes_.push_back({work_.planes[p].normal, work_.planes[p].offset});
+  for (std::uint32_t p = 0; p < order_.size(); ++p)
+    given_.push_back(static_cast<std::uint32_t>(plane(p).section.vertices.size()));
   for (std::uint32_t p = 0; p < order_.size(); ++p)
     sections_.emplace_back(plane(p).section, planes_[p], work_.chart(plane(p)));
   const double tolerance = kOnLine * work_.diagonal;
@@ -318,6 +324,37 @@ void Agreement::tell_all_left() {
   for (std::size_t i = 0; i < contradictions_.size(); ++i) tell_left(contradictions_[i], beyond[i]);
 }
 
+/// The contour comes to a line of the plane and leaves it on the same side.
+bool Agreement::touches(std::uint32_t p, Vec3 before, Vec3 at, Vec3 after) const {
+  return std::any_of(planes_.begin(), planes_.end(), [&](const UnitPlane& other) {
+    const double b = other.height(before), a = other.height(after), on = setting_.on;
+    return &other != &planes_[p] && std::fabs(other.height(at)) <= 2 * on && std::min(std::fabs(b), std::fabs(a)) > 2 * on &&
+           (b < 0) == (a < 0);
+  });
+}
+
+/// Next to common points lenses are no higher than a step of the grid, and new vertices may come to lie on a
+/// line that the contour does not cross there. The reconstruction would take them for crossings.
+void Agreement::remove_touches(std::uint32_t p) {
+  PlaneSection& s = plane(p).section;
+  std::vector<std::vector<std::uint32_t>> walls(s.vertices.size());
+  for (std::uint32_t e = 0; e < s.edges.size(); ++e)
+    walls[s.edges[e].a].push_back(e), walls[s.edges[e].b].push_back(e);
+  const double least = work_.options.agree * work_.diagonal;
+  for (std::uint32_t v = given_[p]; v < s.vertices.size(); ++v) {
+    if (walls[v].size() != 2) continue;
+    ContourEdge &e = s.edges[walls[v][0]], &f = s.edges[walls[v][1]];
+    const std::uint32_t u = e.a == v ? e.b : e.a, w = f.a == v ? f.b : f.a;
+    if (u == w || !touches(p, s.vertices[u], s.vertices[v], s.vertices[w])) continue;
+    if (distance_to_segment(s.vertices[u], s.vertices[w], s.vertices[v]) > least) continue;
+    std::replace(walls[w].begin(), walls[w].end(), walls[v][1], walls[v][0]);
+    walls[v].clear();
+    e.a = u, e.b = w;
+    f.a = f.b = v;
+  }
+  std::erase_if(s.edges, [](const ContourEdge& e) { return e.a == e.b; });
+}
+
 bool Agreement::run() {
   order_planes();
   for (std::uint32_t round = 0; round < kMostRounds; ++round) {
@@ -327,6 +364,8 @@ bool Agreement::run() {
     if (!apply()) break;
     if (round + 1 == kMostRounds) look();
   }
+  for (std::uint32_t p = 0; p < order_.size(); ++p)
+    if (plane(p).edited) remove_touches(p);
   tell_all_left();
   return true;
 }

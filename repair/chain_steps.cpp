@@ -104,7 +104,7 @@ double spike_width(const PlaneSection& p, std::uint32_t u, std::uint32_t v, std:
   return std::min(distance_to_segment(b, a, c), distance_to_segment(b, c, a));
 }
 
-void remove_spikes(Work& work, WorkPlane& plane) {
+bool remove_spikes(Work& work, WorkPlane& plane) {
   PlaneSection& p = plane.section;
   const double tolerance = work.options.spike * work.diagonal;
   WallFans fans(p);
@@ -126,6 +126,7 @@ void remove_spikes(Work& work, WorkPlane& plane) {
   }
   drop_dead(p);
   tell(work, plane, RepairKind::spikes, tallies, " where the contour turned back on itself");
+  return !tallies.empty();
 }
 
 struct Gap {
@@ -214,6 +215,13 @@ void close_chains(Work& work, WorkPlane& plane) {
 }
 
 }  // namespace
+
+bool remove_new_spikes(Work& work) {
+  bool any = false;
+  for (WorkPlane& plane : work.planes)
+    if (plane.edited && remove_spikes(work, plane)) any = true;
+  return any;
+}
 
 void repair_chains(Work& work) {
   for (WorkPlane& plane : work.planes) {

@@ -1,4 +1,5 @@
-/// Third and fourth step: contours that do not cross, of a size that means something.
+/// Third, fourth and last step: contours that do not cross, of a size that means something, without bends by a
+/// hair.
 
 #include <algorithm>
 #include <cmath>
@@ -12,8 +13,8 @@
 namespace crossloft::repair_steps {
 namespace {
 
-/// Nearer to the line of its neighbours a vertex is on it, up to rounding; nearer to a plane it is a crossing.
-constexpr double kOnLine = 1e-14, kOnPlane = 1e-9;
+/// Nearer to the line of its neighbours a vertex is on it, up to rounding.
+constexpr double kOnLine = 1e-14;
 
 /// What remains of the connected walls of a section: their box.
 struct Loop {
@@ -40,12 +41,6 @@ void drop_tiny_loops(Work& work, WorkPlane& plane) {
                p.vertices[l.vertex], "a loop of " + count_of(l.edges, "edge", "edges") + " was left out"});
   std::erase_if(p.edges, [&](const ContourEdge& e) { return loops.contains(parts.find(e.a)); });
   plane.edited |= !loops.empty();
-}
-
-bool on_another_plane(const Work& work, const WorkPlane& plane, Vec3 v) {
-  return std::any_of(work.planes.begin(), work.planes.end(), [&](const WorkPlane& other) {
-    return &other != &plane && std::fabs(dot(other.normal, v) + other.offset) <= kOnPlane * work.diagonal;
-  });
 }
 
 /// How far b is off the segment ac; infinite if it is not between its ends.
@@ -126,10 +121,11 @@ void repair_crossings(Work& work) {
 }
 
 void repair_loops(Work& work) {
-  for (WorkPlane& plane : work.planes) {
-    drop_tiny_loops(work, plane);
-    if (work.options.collinear > 0) straighten(work, plane);
-  }
+  for (WorkPlane& plane : work.planes) drop_tiny_loops(work, plane);
+}
+
+void straighten_runs(Work& work) {
+  for (WorkPlane& plane : work.planes) straighten(work, plane);
 }
 
 }  // namespace crossloft::repair_steps

@@ -7,7 +7,7 @@ namespace crossloft {
 
 Correction::Correction(const SectionBoundary& section, const CommonLine& line, const LineTarget& target,
                        const Misfit& misfit, bool inside, double least)
-    : misfit_(misfit), inside_(inside) {
+    : misfit_(misfit), inside_(inside), least_(least) {
   const double most = std::max(kPush * misfit.depth, least);
   for (int k = 0; k <= kAcross; ++k) {
     const double t = misfit.begin + (misfit.end - misfit.begin) * k / kAcross;
@@ -29,7 +29,8 @@ double Correction::size_at(double t) const {
 }
 
 void Correction::add_samples(std::vector<double>& samples) const {
-  for (int k = 0; k <= kAcross; ++k)
+  samples.insert(samples.end(), {misfit_.begin - least_, misfit_.begin, misfit_.end, misfit_.end + least_});
+  for (int k = 1; k < kAcross; ++k)
     samples.push_back(misfit_.begin + (misfit_.end - misfit_.begin) * k / kAcross);
   for (int k = 1; k <= kBeyond; ++k)
     samples.insert(samples.end(), {misfit_.begin - reach_ * k / kBeyond, misfit_.end + reach_ * k / kBeyond});

@@ -23,6 +23,8 @@ class Correction {
   bool inside() const { return inside_; }  ///< the section is to be extended, not taken back
   double reach() const { return reach_; }
   bool holds(double t) const { return misfit_.begin <= t && t <= misfit_.end; }
+  /// In the misfit or no further than `least` from it: the old crossing at its end is to be left behind.
+  bool is_near(double t) const { return misfit_.begin - least_ <= t && t <= misfit_.end + least_; }
   /// At t along the line and s beside it.
   double operator()(double t, double s) const;
   /// Positions along the line, within its reach, at which it is well seen.
@@ -34,6 +36,7 @@ class Correction {
 
   Misfit misfit_;
   bool inside_;
+  double least_;
   std::array<double, kAcross + 1> sizes_{};
   double reach_ = 0;
 };

@@ -53,6 +53,9 @@ class LensShape {
   }
 
   const std::vector<double>& samples() const { return samples_; }
+  bool is_near(double t) const {
+    return std::any_of(corrections_.begin(), corrections_.end(), [&](const Correction* c) { return c->is_near(t); });
+  }
   bool is_misfit(double t) const {
     return std::any_of(corrections_.begin(), corrections_.end(), [&](const Correction* c) { return c->holds(t); });
   }
@@ -63,7 +66,7 @@ class LensShape {
     std::array<double, 2> h{};
     for (const int side : {0, 1}) {
       const Ray ray = ray_from(t, side == 0 ? aside : -aside);
-      const double floor = is_misfit(t) ? std::min(least_, ray.room) : 0;
+      const double floor = is_near(t) ? std::min(least_, ray.room) : 0;
       h[static_cast<std::size_t>(side)] = belongs(ray, 0) ? std::max(length(ray), floor) : floor;
     }
     return h[0] > 0 && h[1] > 0 ? h : std::array<double, 2>{0, 0};

@@ -15,6 +15,9 @@ namespace {
 using repair_steps::Work;
 using repair_steps::WorkPlane;
 
+/// Nearer to another plane a vertex is a crossing, as the reconstruction takes it.
+constexpr double kOnPlane = 1e-9;
+
 constexpr std::array<const char*, 14> kNames{
     "offset-sign", "plane-fitted", "onto-plane",      "planes-united", "contour-closed",   "contour-left-out", "repeated-vertices",
     "spikes",      "crossings",    "tiny-loop",       "nearly-straight", "agreed", "borders-left-out", "left-as-it-is"};
@@ -93,7 +96,9 @@ void repair_planes_and_contours(Work& work) {
 bool agree(Work& work, const Context& context) {
   std::vector<PlaneSection> before;
   for (const WorkPlane& p : work.planes) before.push_back(p.section);
-  if (!repair_steps::repair_agreement(work, context)) return false;
+  do {
+    if (!repair_steps::repair_agreement(work, context)) return false;
+  } while (work.options.chains && repair_steps::remove_new_spikes(work));
   for (std::size_t p = 0; p < before.size(); ++p)
     if (work.planes[p].edited)
       work.result.largest_displacement =
@@ -124,6 +129,12 @@ std::string count_of(std::size_t n, const char* one, const char* several) {
   return std::to_string(n) + " " + (n == 1 ? one : several);
 }
 
+bool on_another_plane(const Work& work, const WorkPlane& plane, Vec3 v) {
+  return std::any_of(work.planes.begin(), work.planes.end(), [&](const WorkPlane& other) {
+    return &other != &plane && std::fabs(dot(other.normal, v) + other.offset) <= kOnPlane * work.diagonal;
+  });
+}
+
 }  // namespace repair_steps
 
 const char* name_of(RepairKind kind) { return kNames[static_cast<std::size_t>(kind)]; }
@@ -147,6 +158,7 @@ Result<Repair> repair_sections(const Sections& in, const RepairOptions& options,
   for (WorkPlane& p : work.planes) repair_steps::settle_plane(p);
   if (options.agreement && !agree(work, context))
     return Error{ErrorCode::cancelled, "cancelled", in.source};
+  if (options.loops) repair_steps::straighten_runs(work);
   finish(work, in);
   return std::move(work.result);
 }

@@ -44,6 +44,13 @@ void repair_crossings(Work& work);
 void repair_loops(Work& work);
 /// Returns false if it was cancelled.
 bool repair_agreement(Work& work, const Context& context);
+/// Of sections that were changed. True iff there were some.
+bool remove_new_spikes(Work& work);
+/// Last, since points on the grid bend runs.
+void straighten_runs(Work& work);
+
+/// True iff the vertex of a plane is a crossing with another plane.
+bool on_another_plane(const Work& work, const WorkPlane& plane, Vec3 v);
 
 /// "3 vertices", "1 vertex".
 std::string count_of(std::size_t n, const char* one, const char* several);
