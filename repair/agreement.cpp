@@ -57,14 +57,15 @@ class Agreement {
   void tell_left(const Contradiction& c, bool beyond);
   void tell_all_left();
   bool touches(std::uint32_t plane, Vec3 before, Vec3 at, Vec3 after) const;
-  void remove_touches(std::uint32_t plane);
+  bool remove_touches(std::uint32_t plane);
+  bool remove_all_touches();
+  void renew(std::uint32_t plane);
   RepairChange change_of(const Contradiction& c) const;
   WorkPlane& plane(std::uint32_t p) { return work_.planes[order_[p]]; }
   const WorkPlane& plane(std::uint32_t p) const { return work_.planes[order_[p]]; }
 
   Work& work_;
   const Context& context_;
-  std::vector<std::uint32_t> given_;  ///< by canonical number: vertices that the section had before
   std::vector<std::uint32_t> order_;  ///< canonical number of a plane -> position in work_.planes
   std::vector<UnitPlane> planes_;
   std::vector<SectionBoundary> sections_;
@@ -85,13 +86,12 @@ void Agreement::order_planes() {
   std::stable_sort(order_.begin(), order_.end(), [&](auto a, auto b) { return key(a) < key(b); });
   for (const std::uint32_t p : order_) planes_.push_back({work_.planes[p].normal, work_.planes[p].offset});
   for (std::uint32_t p = 0; p < order_.size(); ++p)
-    given_.push_back(static_cast<std::uint32_t>(plane(p).section.vertices.size()));
-  for (std::uint32_t p = 0; p < order_.size(); ++p)
     sections_.emplace_back(plane(p).section, planes_[p], work_.chart(plane(p)));
   const double tolerance = kOnLine * work_.diagonal;
   lines_ = common_lines(planes_, {work_.middle, 0.51 * work_.diagonal}, tolerance);
   points_ = common_points(planes_, lines_, tolerance);
-  setting_ = {sections_, tolerance, kSpacing * work_.diagonal, 2 * work_.diagonal};
+  setting_ = {sections_, tolerance, kSpacing * work_.diagonal,
+              work_.options.agree * work_.diagonal, 2 * work_.diagonal};
 }
 
 std::vector<ContestedPoint> Agreement::contested_points() const {
@@ -114,7 +114,7 @@ void Agreement::look_at_line(std::uint32_t line,
   const CommonLine& l = lines_[line];
   std::vector<Trace>& traces = traces_[line];
   for (const std::uint32_t p : l.planes) traces.push_back(sections_[p].trace(l, setting_.on));
-  const double least = work_.options.agree * work_.diagonal;
+  const double least = setting_.least;
   if (contested[line].empty() && longest_contradiction(traces) < least) return;
   targets_[line] = line_target(setting_, l, traces, contested[line]);
   for (std::uint32_t s = 0; s < targets_[line].spans.size(); ++s)
@@ -235,7 +235,7 @@ void Agreement::tell_left(const Contradiction& c, bool beyond) {
 
 PlaneLines Agreement::lines_in(std::uint32_t p) const {
   PlaneLines in_plane{sections_[p], {}};
-  const double least = work_.options.agree * work_.diagonal;
+  const double least = setting_.least;
   for (std::uint32_t l = 0; l < lines_.size(); ++l) {
     if (!std::binary_search(lines_[l].planes.begin(), lines_[l].planes.end(), p)) continue;
     LineInPlane line{&lines_[l], targets_[l].spans.empty() ? nullptr : &targets_[l], {}};
@@ -265,7 +265,7 @@ void Agreement::add_plugs(std::uint32_t p, const PlaneLines& in_plane, std::vect
       });
     });
     if (!misfit) continue;
-    const double radius = work_.options.agree * work_.diagonal;
+    const double radius = setting_.least;
     patches.push_back(plug(in_plane, c.point.point, through, inside, radius));
   }
 }
@@ -278,7 +278,7 @@ std::vector<Patch> Agreement::patches_of(std::uint32_t p) const {
     const auto line = std::find_if(in_plane.lines.begin(), in_plane.lines.end(),
                                    [&](const LineInPlane& l) { return l.line == &lines_[c.line]; });
     patches.push_back(lens(in_plane, static_cast<std::size_t>(line - in_plane.lines.begin()),
-                           targets_[c.line].spans[c.span], work_.options.agree * work_.diagonal));
+                           targets_[c.line].spans[c.span], setting_.least));
   }
   add_plugs(p, in_plane, patches);
   return patches;
@@ -314,7 +314,7 @@ bool Agreement::apply() {
   }
   for (const auto& [p, list] : patches) {
     edit(p, list);
-    sections_[p] = SectionBoundary(plane(p).section, planes_[p], work_.chart(plane(p)));
+    renew(p);
   }
   return true;
 }
@@ -324,24 +324,36 @@ void Agreement::tell_all_left() {
   for (std::size_t i = 0; i < contradictions_.size(); ++i) tell_left(contradictions_[i], beyond[i]);
 }
 
-/// The contour comes to a line of the plane and leaves it on the same side.
+/// The vertex is on a line that no other section is cut at there, and the contour leaves the line on the side
+/// it came from, or runs along it.
 bool Agreement::touches(std::uint32_t p, Vec3 before, Vec3 at, Vec3 after) const {
-  return std::any_of(planes_.begin(), planes_.end(), [&](const UnitPlane& other) {
-    const double b = other.height(before), a = other.height(after), on = setting_.on;
-    return &other != &planes_[p] && std::fabs(other.height(at)) <= 2 * on && std::min(std::fabs(b), std::fabs(a)) > 2 * on &&
-           (b < 0) == (a < 0);
-  });
+  const double on = 2 * setting_.on;
+  for (std::uint32_t l = 0; l < lines_.size(); ++l) {
+    const CommonLine& line = lines_[l];
+    const double t = line.parameter(at);
+    if (!std::binary_search(line.planes.begin(), line.planes.end(), p) || norm(line.at(t) - at) > on) continue;
+    const Vec3 aside = cross(planes_[p].normal, line.direction);
+    const double b = dot(aside, before - at), a = dot(aside, after - at);
+    if (std::fabs(b) > on && std::fabs(a) > on && (b < 0) != (a < 0)) continue;
+    const auto is_cut = [&](double cut) { return std::fabs(cut - t) <= on; };
+    bool shared = false;
+    for (std::size_t k = 0; k < line.planes.size(); ++k)
+      shared |= line.planes[k] != p &&
+                std::any_of(traces_[l][k].cuts.begin(), traces_[l][k].cuts.end(), is_cut);
+    if (!shared) return true;
+  }
+  return false;
 }
 
 /// Next to common points lenses are no higher than a step of the grid, and new vertices may come to lie on a
 /// line that the contour does not cross there. The reconstruction would take them for crossings.
-void Agreement::remove_touches(std::uint32_t p) {
+bool Agreement::remove_touches(std::uint32_t p) {
   PlaneSection& s = plane(p).section;
   std::vector<std::vector<std::uint32_t>> walls(s.vertices.size());
   for (std::uint32_t e = 0; e < s.edges.size(); ++e)
     walls[s.edges[e].a].push_back(e), walls[s.edges[e].b].push_back(e);
-  const double least = work_.options.agree * work_.diagonal;
-  for (std::uint32_t v = given_[p]; v < s.vertices.size(); ++v) {
+  const double least = setting_.least;
+  for (std::uint32_t v = plane(p).given; v < s.vertices.size(); ++v) {
     if (walls[v].size() != 2) continue;
     ContourEdge &e = s.edges[walls[v][0]], &f = s.edges[walls[v][1]];
     const std::uint32_t u = e.a == v ? e.b : e.a, w = f.a == v ? f.b : f.a;
@@ -352,7 +364,20 @@ void Agreement::remove_touches(std::uint32_t p) {
     e.a = u, e.b = w;
     f.a = f.b = v;
   }
-  std::erase_if(s.edges, [](const ContourEdge& e) { return e.a == e.b; });
+  const bool any = std::erase_if(s.edges, [](const ContourEdge& e) { return e.a == e.b; }) != 0;
+  if (any) renew(p);
+  return any;
+}
+
+bool Agreement::remove_all_touches() {
+  bool any = false;
+  for (std::uint32_t p = 0; p < order_.size(); ++p)
+    if (plane(p).edited && remove_touches(p)) any = true;
+  return any;
+}
+
+void Agreement::renew(std::uint32_t p) {
+  sections_[p] = SectionBoundary(plane(p).section, planes_[p], work_.chart(plane(p)));
 }
 
 bool Agreement::run() {
@@ -361,11 +386,9 @@ bool Agreement::run() {
     if (context_.cancelled()) return false;
     look();
     ++work_.result.rounds;
-    if (!apply()) break;
+    if (!apply() && !remove_all_touches()) break;
     if (round + 1 == kMostRounds) look();
   }
-  for (std::uint32_t p = 0; p < order_.size(); ++p)
-    if (plane(p).edited) remove_touches(p);
   tell_all_left();
   return true;
 }

@@ -90,6 +90,20 @@ std::vector<TargetSpan> spans_of(const std::vector<double>& nodes, const std::ve
   return spans;
 }
 
+/// Spans shorter than `least` that some section contradicts are left out: contours would touch there.
+void drop_short_spans(std::vector<TargetSpan>& spans, std::span<const Trace> traces, double least) {
+  std::vector<TargetSpan> kept;
+  for (std::size_t k = 0; k < spans.size(); ++k) {
+    const TargetSpan& s = spans[k];
+    const bool contradicted = std::any_of(traces.begin(), traces.end(), [&](const Trace& t) {
+      return t.between(s.begin, s.end) != s.state;
+    });
+    const bool drop = k > 0 && k + 1 < spans.size() && s.end - s.begin < least && contradicted;
+    add_span(kept, s.begin, s.end, drop ? kept.back().state : s.state);
+  }
+  spans = std::move(kept);
+}
+
 }  // namespace
 
 double LineTarget::blend_at(double t) const {
@@ -136,6 +150,7 @@ LineTarget line_target(const LineSetting& setting, const CommonLine& line, std::
     target.blend.push_back(g);
   }
   target.spans = spans_of(target.nodes, target.blend);
+  drop_short_spans(target.spans, traces, setting.least);
   return target;
 }
 

@@ -151,7 +151,8 @@ Result<Repair> repair_sections(const Sections& in, const RepairOptions& options,
   }
   work.middle = box.center();
   for (std::uint32_t p = 0; p < in.planes.size(); ++p) {
-    work.planes.push_back({in.planes[p], p, {}, 0, false});
+    work.planes.push_back(
+        {in.planes[p], p, {}, 0, false, static_cast<std::uint32_t>(in.planes[p].vertices.size())});
     repair_steps::settle_plane(work.planes.back());
   }
   repair_planes_and_contours(work);

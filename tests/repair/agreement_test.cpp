@@ -34,7 +34,7 @@ Sections disturbed_solid(std::uint64_t seed, std::uint32_t planes, double fracti
 
 TEST_CASE("disturbed sections agree after the repair, and a second one changes nothing") {
   const double fractions[] = {1e-4, 1e-3, 0.01, 0.03, 0.06};
-  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 600; ++seed) {
     const double fraction = fractions[seed % 5];
     const auto planes = static_cast<std::uint32_t>(3 + seed % 9);
     CAPTURE(seed);
