@@ -71,7 +71,11 @@ void print_repair(Terminal& terminal, const Repair& repair) {
     t.distance = std::max(t.distance, c.distance);
   }
   for (const auto& [kind, t] : tallies)
-    terminal.print("%-18s %zu, up to %.3g\n", name_of(kind), t.changes, t.distance);
+    terminal.print("%-18s %zu changes, up to %.3g\n", name_of(kind), t.changes, t.distance);
+  if (repair.left != 0)
+    terminal.say(LogLevel::warning, std::to_string(repair.left) +
+                                        (repair.left == 1 ? " defect was" : " defects were") +
+                                        " left as found or left out: see the report of the repair");
   terminal.print("displacement       %.3g (%.3g of the diagonal)\n", repair.largest_displacement,
                  repair.diagonal > 0 ? repair.largest_displacement / repair.diagonal : 0);
 }

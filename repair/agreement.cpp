@@ -20,14 +20,18 @@
 namespace crossloft::repair_steps {
 namespace {
 
-constexpr double kOnLine = 1e-9;       ///< of the diagonal, as the crossings of the reconstruction
-constexpr double kSpacing = 1.0 / 256; ///< of the diagonal: nodes of lines that are contested
+// Fractions of the diagonal.
+constexpr double kCoincidence = 1e-9;  ///< planes through one line or point, as in the reconstruction
+constexpr double kOnLine = 4e-9;       ///< a contour vertex this near is on the line: more than a step of the grid
+constexpr double kSpacing = 1.0 / 256; ///< nodes of lines that are contested
 constexpr std::uint32_t kMostRounds = 8;
 
 /// What is wrong on one span of a line with one plane.
 struct Contradiction {
   std::uint32_t line = 0, span = 0, plane = 0;
   std::vector<Misfit> misfits;
+  Patch patch;
+  double moved = 0;  ///< by the patch alone: the longest way between the contours before and after it
 
   double depth() const {
     double d = 0;
@@ -42,6 +46,14 @@ class Agreement {
   bool run();
 
  private:
+  /// A section with patches in it.
+  struct Edited {
+    PlaneSection section;
+    SectionEdit edit;
+    std::uint32_t pieces = 0;  ///< that were left over and went
+    double largest_piece = 0;
+  };
+
   void order_planes();
   void look();
   void look_at_line(std::uint32_t line, const std::vector<std::vector<const ContestedPoint*>>& contested);
@@ -49,10 +61,13 @@ class Agreement {
   std::vector<bool> beyond_limit();
   void join_touching(DisjointParts& groups) const;
   bool apply();
-  PlaneLines lines_in(std::uint32_t plane) const;
+  PlaneLines lines_in(std::uint32_t plane, const std::vector<bool>& left_out) const;
   void add_plugs(std::uint32_t plane, const PlaneLines& in_plane, std::vector<Patch>& patches) const;
-  std::vector<Patch> patches_of(std::uint32_t plane) const;
-  void edit(std::uint32_t plane, const std::vector<Patch>& patches);
+  void make_patches();
+  Edited edited(std::uint32_t plane, const std::vector<bool>& beyond) const;
+  bool blame(std::uint32_t plane, const PlaneSection& section, const std::vector<bool>& beyond);
+  std::vector<bool> decide(std::map<std::uint32_t, Edited>& sections);
+  void replace(std::uint32_t plane, Edited&& edited);
   void tell_agreed(const Contradiction& c);
   void tell_left(const Contradiction& c, bool beyond);
   void tell_all_left();
@@ -61,6 +76,7 @@ class Agreement {
   bool remove_all_touches();
   void renew(std::uint32_t plane);
   RepairChange change_of(const Contradiction& c) const;
+  std::string others_of(const Contradiction& c) const;
   WorkPlane& plane(std::uint32_t p) { return work_.planes[order_[p]]; }
   const WorkPlane& plane(std::uint32_t p) const { return work_.planes[order_[p]]; }
 
@@ -68,7 +84,7 @@ class Agreement {
   const Context& context_;
   std::vector<std::uint32_t> order_;  ///< canonical number of a plane -> position in work_.planes
   std::vector<UnitPlane> planes_;
-  std::vector<SectionBoundary> sections_;
+  std::vector<SectionBoundary> sections_, originals_;  ///< as they are, as they were
   std::vector<CommonLine> lines_;
   std::vector<CommonPoint> points_;
   LineSetting setting_;
@@ -86,11 +102,12 @@ void Agreement::order_planes() {
   std::stable_sort(order_.begin(), order_.end(), [&](auto a, auto b) { return key(a) < key(b); });
   for (const std::uint32_t p : order_) planes_.push_back({work_.planes[p].normal, work_.planes[p].offset});
   for (std::uint32_t p = 0; p < order_.size(); ++p)
-    sections_.emplace_back(plane(p).section, planes_[p], work_.chart(plane(p)));
-  const double tolerance = kOnLine * work_.diagonal;
+    for (auto* list : {&sections_, &originals_})
+      list->emplace_back(plane(p).section, planes_[p], work_.chart(plane(p)));
+  const double tolerance = kCoincidence * work_.diagonal;
   lines_ = common_lines(planes_, {work_.middle, 0.51 * work_.diagonal}, tolerance);
   points_ = common_points(planes_, lines_, tolerance);
-  setting_ = {sections_, tolerance, kSpacing * work_.diagonal,
+  setting_ = {sections_, kOnLine * work_.diagonal, kSpacing * work_.diagonal,
               work_.options.agree * work_.diagonal, 2 * work_.diagonal};
 }
 
@@ -127,7 +144,7 @@ void Agreement::look_at_line(std::uint32_t line,
           return m.begin - setting_.on <= t && t <= m.end + setting_.on;
         });
       });
-      if (!found.empty()) contradictions_.push_back({line, s, l.planes[k], std::move(found)});
+      if (!found.empty()) contradictions_.push_back({line, s, l.planes[k], std::move(found), {}, 0});
     }
 }
 
@@ -182,11 +199,11 @@ std::vector<bool> Agreement::beyond_limit() {
   std::map<std::uint32_t, double> depth;
   for (std::uint32_t i = 0; i < contradictions_.size(); ++i) {
     double& d = depth[groups.find(i)];
-    d = std::max(d, contradictions_[i].depth());
+    d = std::max(d, contradictions_[i].moved);
   }
   std::vector<bool> beyond;
   for (std::uint32_t i = 0; i < contradictions_.size(); ++i)
-    beyond.push_back(kPush * depth[groups.find(i)] > work_.options.limit * work_.diagonal);
+    beyond.push_back(depth[groups.find(i)] > work_.options.limit * work_.diagonal);
   return beyond;
 }
 
@@ -195,14 +212,19 @@ RepairChange Agreement::change_of(const Contradiction& c) const {
   RepairChange change;
   change.plane = plane(c.plane).source;
   change.count = static_cast<std::uint32_t>(c.misfits.size());
-  change.distance = c.depth();
+  change.distance = c.moved;
   const Misfit& m = c.misfits[0];
   change.point = line.at(m.begin / 2 + m.end / 2);
   if (!sections_[c.plane].empty()) sections_[c.plane].nearest(change.point, change.contour);
   return change;
 }
 
-std::string others_of(const Agreement&, const std::vector<std::uint32_t>& sources) {
+/// "plane 3", the planes that share the line.
+std::string Agreement::others_of(const Contradiction& c) const {
+  std::vector<std::uint32_t> sources;
+  for (const std::uint32_t p : lines_[c.line].planes)
+    if (p != c.plane) sources.push_back(plane(p).source);
+  std::sort(sources.begin(), sources.end());
   std::string text = sources.size() == 1 ? "plane " : "planes ";
   for (std::size_t k = 0; k < sources.size(); ++k) text += (k ? ", " : "") + std::to_string(sources[k]);
   return text;
@@ -211,36 +233,29 @@ std::string others_of(const Agreement&, const std::vector<std::uint32_t>& source
 void Agreement::tell_agreed(const Contradiction& c) {
   RepairChange change = change_of(c);
   change.kind = RepairKind::agreed;
-  std::vector<std::uint32_t> sources;
-  for (const std::uint32_t p : lines_[c.line].planes)
-    if (p != c.plane) sources.push_back(plane(p).source);
-  std::sort(sources.begin(), sources.end());
   const bool in = targets_[c.line].spans[c.span].state == Inside::yes;
   change.text = (in ? "the section was extended" : "the section was taken back") +
-                std::string(" on the common line with ") + others_of(*this, sources);
+                std::string(" on the common line with ") + others_of(c);
   work_.note(std::move(change));
 }
 
 void Agreement::tell_left(const Contradiction& c, bool beyond) {
   RepairChange change = change_of(c);
   change.kind = RepairKind::left_as_it_is;
-  std::vector<std::uint32_t> sources;
-  for (const std::uint32_t p : lines_[c.line].planes)
-    if (p != c.plane) sources.push_back(plane(p).source);
-  std::sort(sources.begin(), sources.end());
-  change.text = "the section disagrees on the common line with " + others_of(*this, sources) +
+  change.text = "the section disagrees on the common line with " + others_of(c) +
                 (beyond ? ": more than the limit" : ": no way was found");
   work_.note(std::move(change));
 }
 
-PlaneLines Agreement::lines_in(std::uint32_t p) const {
+PlaneLines Agreement::lines_in(std::uint32_t p, const std::vector<bool>& left_out) const {
   PlaneLines in_plane{sections_[p], {}};
   const double least = setting_.least;
   for (std::uint32_t l = 0; l < lines_.size(); ++l) {
     if (!std::binary_search(lines_[l].planes.begin(), lines_[l].planes.end(), p)) continue;
     LineInPlane line{&lines_[l], targets_[l].spans.empty() ? nullptr : &targets_[l], {}};
-    for (const Contradiction& c : contradictions_) {
-      if (c.plane != p || c.line != l) continue;
+    for (std::size_t i = 0; i < contradictions_.size(); ++i) {
+      const Contradiction& c = contradictions_[i];
+      if (c.plane != p || c.line != l || left_out[i]) continue;
       const bool inside = targets_[l].spans[c.span].state == Inside::yes;
       for (const Misfit& m : c.misfits)
         line.corrections.emplace_back(sections_[p], lines_[l], targets_[l], m, inside, least);
@@ -270,57 +285,105 @@ void Agreement::add_plugs(std::uint32_t p, const PlaneLines& in_plane, std::vect
   }
 }
 
-std::vector<Patch> Agreement::patches_of(std::uint32_t p) const {
-  const PlaneLines in_plane = lines_in(p);
-  std::vector<Patch> patches;
-  for (const Contradiction& c : contradictions_) {
-    if (c.plane != p) continue;
-    const auto line = std::find_if(in_plane.lines.begin(), in_plane.lines.end(),
-                                   [&](const LineInPlane& l) { return l.line == &lines_[c.line]; });
-    patches.push_back(lens(in_plane, static_cast<std::size_t>(line - in_plane.lines.begin()),
-                           targets_[c.line].spans[c.span], setting_.least));
+/// Gives every contradiction its patch, and how far that moves the contour: a gulf or a spit that is narrower
+/// than the patch is high vanishes whole, however deep it is.
+void Agreement::make_patches() {
+  for (std::uint32_t p = 0; p < order_.size(); ++p) {
+    if (std::none_of(contradictions_.begin(), contradictions_.end(), [&](auto& c) { return c.plane == p; }))
+      continue;
+    const PlaneLines in_plane = lines_in(p, std::vector<bool>(contradictions_.size(), false));
+    for (Contradiction& c : contradictions_) {
+      if (c.plane != p) continue;
+      const auto line = std::find_if(in_plane.lines.begin(), in_plane.lines.end(),
+                                     [&](const LineInPlane& l) { return l.line == &lines_[c.line]; });
+      c.patch = lens(in_plane, static_cast<std::size_t>(line - in_plane.lines.begin()),
+                     targets_[c.line].spans[c.span], setting_.least);
+      PlaneSection alone = plane(p).section;
+      edit_section(alone, work_.chart(plane(p)), {&c.patch, 1});
+      drop_crumbs(alone, in_plane, 2 * kPush * c.depth());
+      const SectionBoundary after(alone, planes_[p], work_.chart(plane(p)));
+      c.moved = std::max(c.depth(), largest_distance(sections_[p], after));
+    }
   }
-  add_plugs(p, in_plane, patches);
-  return patches;
 }
 
-void Agreement::edit(std::uint32_t p, const std::vector<Patch>& patches) {
+/// The section with the patches of its contradictions that are not beyond the limit.
+Agreement::Edited Agreement::edited(std::uint32_t p, const std::vector<bool>& beyond) const {
+  Edited result{plane(p).section, {}, 0, 0};
+  std::vector<Patch> patches;
+  for (std::size_t i = 0; i < contradictions_.size(); ++i) {
+    if (contradictions_[i].plane != p || beyond[i]) continue;
+    patches.push_back(contradictions_[i].patch);
+    result.largest_piece = std::max(result.largest_piece, 2 * kPush * contradictions_[i].depth());
+  }
+  const PlaneLines in_plane = lines_in(p, beyond);
+  add_plugs(p, in_plane, patches);
+  result.edit = edit_section(result.section, work_.chart(plane(p)), patches);
+  result.pieces = drop_crumbs(result.section, in_plane, result.largest_piece);
+  return result;
+}
+
+/// Where patches go beyond the limit together, the contradiction nearest to the place is held to be beyond it.
+bool Agreement::blame(std::uint32_t p, const PlaneSection& section, const std::vector<bool>& beyond) {
+  const SectionBoundary now(section, planes_[p], work_.chart(plane(p)));
+  Vec3 where;
+  const double way = largest_distance(originals_[p], now, &where);
+  if (way <= work_.options.limit * work_.diagonal) return false;
+  double least = HUGE_VAL;
+  Contradiction* nearest = nullptr;
+  for (std::size_t i = 0; i < contradictions_.size(); ++i) {
+    Contradiction& c = contradictions_[i];
+    if (c.plane != p || beyond[i]) continue;
+    for (const Misfit& m : c.misfits) {
+      const CommonLine& l = lines_[c.line];
+      const double d = distance_to_segment(l.at(m.begin), l.at(m.end), where);
+      if (d < least) least = d, nearest = &c;
+    }
+  }
+  if (nearest) nearest->moved = std::max(nearest->moved, way);
+  return nearest != nullptr;
+}
+
+/// [contradiction] it can't be solved within the limit; and the sections with the others solved.
+std::vector<bool> Agreement::decide(std::map<std::uint32_t, Edited>& sections) {
+  for (;;) {
+    const std::vector<bool> beyond = beyond_limit();
+    sections.clear();
+    for (std::size_t i = 0; i < contradictions_.size(); ++i)
+      if (const std::uint32_t p = contradictions_[i].plane; !beyond[i] && !sections.contains(p))
+        sections.emplace(p, edited(p, beyond));
+    bool blamed = false;
+    for (const auto& [p, e] : sections) blamed |= blame(p, e.section, beyond);
+    if (!blamed) return beyond;
+  }
+}
+
+void Agreement::replace(std::uint32_t p, Edited&& e) {
   WorkPlane& w = plane(p);
-  const SectionEdit edit = edit_section(w.section, work_.chart(w), patches);
-  w.edited |= edit.changed;
-  double deepest = 0;
-  for (const Contradiction& c : contradictions_)
-    if (c.plane == p) deepest = std::max(deepest, c.depth());
-  if (const std::uint32_t crumbs = drop_crumbs(w.section, lines_in(p), 2 * kPush * deepest); crumbs != 0)
-    work_.note({RepairKind::tiny_loop, w.source, kNone, kNone, crumbs, 2 * kPush * deepest, edit.point,
-                count_of(crumbs, "piece", "pieces") + " of the section that its changes left over"});
-  if (edit.changed && edit.borders != 0)
-    work_.note({RepairKind::borders_left_out, w.source, kNone, kNone, edit.borders, 0, edit.point,
-                count_of(edit.borders, "edge", "edges") + " between two materials left out"});
+  w.section = std::move(e.section);
+  w.edited |= e.edit.changed;
+  renew(p);
+  if (e.pieces != 0)
+    work_.note({RepairKind::pieces_left_out, w.source, kNone, kNone, e.pieces, e.largest_piece, e.edit.point,
+                count_of(e.pieces, "piece", "pieces") + " of the section that its changes left over"});
+  if (e.edit.borders != 0)
+    work_.note({RepairKind::borders_left_out, w.source, kNone, kNone, e.edit.borders, 0, e.edit.point,
+                count_of(e.edit.borders, "edge", "edges") + " between two materials left out"});
 }
 
 /// False if there was nothing to do.
 bool Agreement::apply() {
-  const std::vector<bool> beyond = beyond_limit();
-  std::vector<Contradiction> within;
-  for (std::size_t i = 0; i < beyond.size(); ++i)
-    if (!beyond[i]) within.push_back(contradictions_[i]);
-  if (within.empty()) return false;
-  contradictions_ = std::move(within);
-  std::map<std::uint32_t, std::vector<Patch>> patches;
-  for (const Contradiction& c : contradictions_) {
-    tell_agreed(c);
-    if (!patches.contains(c.plane)) patches[c.plane] = patches_of(c.plane);
-  }
-  for (const auto& [p, list] : patches) {
-    edit(p, list);
-    renew(p);
-  }
-  return true;
+  std::map<std::uint32_t, Edited> sections;
+  const std::vector<bool> beyond = decide(sections);
+  for (std::size_t i = 0; i < contradictions_.size(); ++i)
+    if (!beyond[i]) tell_agreed(contradictions_[i]);
+  for (auto& [p, e] : sections) replace(p, std::move(e));
+  return !sections.empty();
 }
 
 void Agreement::tell_all_left() {
-  const std::vector<bool> beyond = beyond_limit();
+  std::map<std::uint32_t, Edited> sections;
+  const std::vector<bool> beyond = decide(sections);
   for (std::size_t i = 0; i < contradictions_.size(); ++i) tell_left(contradictions_[i], beyond[i]);
 }
 
@@ -345,6 +408,15 @@ bool Agreement::touches(std::uint32_t p, Vec3 before, Vec3 at, Vec3 after) const
   return false;
 }
 
+/// In lexicographic order.
+std::vector<std::uint32_t> vertices_from(const PlaneSection& s, std::uint32_t first) {
+  std::vector<std::uint32_t> order;
+  for (std::uint32_t v = first; v < s.vertices.size(); ++v) order.push_back(v);
+  std::sort(order.begin(), order.end(),
+            [&](std::uint32_t v, std::uint32_t w) { return s.vertices[v] < s.vertices[w]; });
+  return order;
+}
+
 /// Next to common points lenses are no higher than a step of the grid, and new vertices may come to lie on a
 /// line that the contour does not cross there. The reconstruction would take them for crossings.
 bool Agreement::remove_touches(std::uint32_t p) {
@@ -353,7 +425,7 @@ bool Agreement::remove_touches(std::uint32_t p) {
   for (std::uint32_t e = 0; e < s.edges.size(); ++e)
     walls[s.edges[e].a].push_back(e), walls[s.edges[e].b].push_back(e);
   const double least = setting_.least;
-  for (std::uint32_t v = plane(p).given; v < s.vertices.size(); ++v) {
+  for (const std::uint32_t v : vertices_from(s, plane(p).given)) {
     if (walls[v].size() != 2) continue;
     ContourEdge &e = s.edges[walls[v][0]], &f = s.edges[walls[v][1]];
     const std::uint32_t u = e.a == v ? e.b : e.a, w = f.a == v ? f.b : f.a;
@@ -385,10 +457,12 @@ bool Agreement::run() {
   for (std::uint32_t round = 0; round < kMostRounds; ++round) {
     if (context_.cancelled()) return false;
     look();
+    make_patches();
     ++work_.result.rounds;
     if (!apply() && !remove_all_touches()) break;
-    if (round + 1 == kMostRounds) look();
   }
+  look();
+  make_patches();
   tell_all_left();
   return true;
 }

@@ -45,6 +45,7 @@ void drop_tiny_loops(Work& work, WorkPlane& plane) {
 
 /// How far b is off the segment ac; infinite if it is not between its ends.
 double bend(Vec3 a, Vec3 b, Vec3 c) {
+  if (c < a) std::swap(a, c);
   const Vec3 d = c - a, e = b - a;
   const double along = dot(e, d), length2 = dot(d, d);
   return along > 0 && along < length2 ? norm(cross(e, d)) / std::sqrt(length2) : HUGE_VAL;

@@ -18,9 +18,9 @@ using repair_steps::WorkPlane;
 /// Nearer to another plane a vertex is a crossing, as the reconstruction takes it.
 constexpr double kOnPlane = 1e-9;
 
-constexpr std::array<const char*, 14> kNames{
+constexpr std::array<const char*, 15> kNames{
     "offset-sign", "plane-fitted", "onto-plane",      "planes-united", "contour-closed",   "contour-left-out", "repeated-vertices",
-    "spikes",      "crossings",    "tiny-loop",       "nearly-straight", "agreed", "borders-left-out", "left-as-it-is"};
+    "spikes",      "crossings",    "tiny-loop",       "nearly-straight", "agreed", "pieces-left-out", "borders-left-out", "left-as-it-is"};
 
 Result<Done> check_options(const RepairOptions& o) {
   for (const double tolerance : {o.limit, o.plane_tolerance, o.same_plane, o.close_gap, o.repeated, o.spike,
@@ -69,13 +69,7 @@ Bounds box_of(const Sections& in) {
 double displacement(const Work& work, const WorkPlane& plane, const PlaneSection& before) {
   const UnitPlane unit{plane.normal, plane.offset};
   const SectionBoundary old(before, unit, work.chart(plane)), now(plane.section, unit, work.chart(plane));
-  if (old.empty() || now.empty()) return 0;
-  double largest = 0;
-  for (const ContourEdge& e : plane.section.edges)
-    if (is_wall(e)) largest = std::max(largest, old.distance(plane.section.vertices[e.a]));
-  for (const ContourEdge& e : before.edges)
-    if (is_wall(e)) largest = std::max(largest, now.distance(before.vertices[e.a]));
-  return largest;
+  return largest_distance(old, now);
 }
 
 bool moves_points(RepairKind kind) {

@@ -49,6 +49,7 @@ enum class RepairKind : std::uint8_t {
   tiny_loop,          ///< a loop too small to be meant
   nearly_straight,    ///< vertices of a contour that bent a straight run by a hair
   agreed,             ///< a section changed next to a common line, so that it agrees with the others there
+  pieces_left_out,    ///< small loops that remained where a section was changed to agree
   borders_left_out,   ///< borders between two materials of a section that was changed
   left_as_it_is,      ///< needs more than the limit, or no way was found: not repaired
 };

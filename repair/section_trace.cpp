@@ -60,7 +60,8 @@ SectionBoundary::SectionBoundary(const PlaneSection& section, const UnitPlane& p
   std::vector<Bounds> boxes;
   for (const ContourEdge& e : section.edges) {
     if (!is_wall(e)) continue;
-    const Vec3 a = section.vertices[e.a], b = section.vertices[e.b];
+    // In one order: nothing is to depend on the direction of the edge.
+    const auto [a, b] = std::minmax(section.vertices[e.a], section.vertices[e.b]);
     walls_.push_back({a, b, chart.to_grid(a), chart.to_grid(b), e.contour});
     boxes.emplace_back();
     boxes.back().add(a), boxes.back().add(b);
@@ -76,9 +77,7 @@ Trace SectionBoundary::trace(const CommonLine& line, double on) const {
   };
   std::vector<double> up, down;
   for (const WallSegment& w : walls_) {
-    // Ends in one order: the cut must not depend on the direction of the edge.
-    const auto [p, q] = std::minmax(w.a, w.b);
-    const Beside a = seen(p), b = seen(q);
+    const Beside a = seen(w.a), b = seen(w.b);
     add_cut(a, b, true, up);
     add_cut(a, b, false, down);
   }
@@ -92,6 +91,17 @@ double SectionBoundary::distance(Vec3 p) const {
     return dot(d, d);
   });
   return std::sqrt(squared);
+}
+
+double SectionBoundary::largest_distance_from(const SectionBoundary& other, Vec3* where) const {
+  double largest = 0;
+  for (const WallSegment& w : walls_)
+    for (const Vec3 p : {w.a, w.b})
+      if (const double d = other.distance(p); d > largest) {
+        largest = d;
+        if (where) *where = p;
+      }
+  return largest;
 }
 
 bool SectionBoundary::inside(Vec3 p) const {
@@ -115,6 +125,14 @@ Vec3 SectionBoundary::nearest(Vec3 p, std::uint32_t& contour) const {
     least = d, best = q, contour = w.contour;
   }
   return best;
+}
+
+double largest_distance(const SectionBoundary& a, const SectionBoundary& b, Vec3* where) {
+  if (a.empty() || b.empty()) return 0;
+  Vec3 in_b;
+  const double ab = a.largest_distance_from(b, where), ba = b.largest_distance_from(a, &in_b);
+  if (where && ba > ab) *where = in_b;
+  return std::max(ab, ba);
 }
 
 }  // namespace crossloft

@@ -39,6 +39,9 @@ class SectionBoundary {
   bool inside(Vec3 p) const;
   /// Below 0 inside. Without a contour it is infinite.
   double signed_distance(Vec3 p) const { return inside(p) ? -distance(p) : distance(p); }
+  /// The largest distance of one of its vertices from the other contour; infinite if that is empty and this is
+  /// not. O(n log m).
+  double largest_distance_from(const SectionBoundary& other, Vec3* where = nullptr) const;
   /// The point of the contour nearest to p and its contour. REQUIRES: not empty. O(n).
   Vec3 nearest(Vec3 p, std::uint32_t& contour) const;
 
@@ -54,5 +57,8 @@ class SectionBoundary {
   std::vector<WallSegment> walls_;
   std::unique_ptr<BoxTree> tree_;
 };
+
+/// Of a vertex of one contour from the other, both ways; 0 if one is empty.
+double largest_distance(const SectionBoundary& a, const SectionBoundary& b, Vec3* where = nullptr);
 
 }  // namespace crossloft
