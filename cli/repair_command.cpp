@@ -52,7 +52,8 @@ void add_repair_details(CLI::App& command, RepairOptions& o) {
   const auto add_tolerance = [&](const char* name, double& value, const char* help) {
     command.add_option(name, value, help)->capture_default_str()->check(CLI::Range(0.0, 1.0));
   };
-  add_tolerance("--plane-tolerance", o.plane_tolerance, "vertices further from their plane are moved onto it");
+  add_tolerance("--plane-tolerance", o.plane_tolerance,
+                "vertices further from their plane are moved onto it");
   add_tolerance("--same-plane", o.same_plane, "planes nearer than this over the data become one");
   add_tolerance("--close-gap", o.close_gap, "ends of open contours nearer than this are joined");
   add_tolerance("--repeated", o.repeated, "neighbours on a contour nearer than this are one vertex");
@@ -75,7 +76,9 @@ void add_repair(CLI::App& program, ExitCode& outcome) {
       "crossloft repair scan.contour -o clean.contour --limit 0.05 --report changes.json",
       [&outcome](const Arguments& arguments) { outcome = run(arguments); });
   command->add_option("FILE", a.input, "cross-sections")->required()->check(is_sections_file());
-  command->add_option("-o,--output", a.output, "the repaired sections")->required()->check(is_sections_file());
+  command->add_option("-o,--output", a.output, "the repaired sections")
+      ->required()
+      ->check(is_sections_file());
   add_repair_limit(*command, "--limit", a.options);
   add_repair_details(*command, a.options);
   command->add_option("--report", a.report, "also a list of all changes (docs/report.md)")

@@ -28,10 +28,10 @@ Json to_json(const RepairChange& c) {
 }
 
 Json to_json(const RepairOptions& o) {
-  return {{"limit", o.limit},           {"planes", o.planes},         {"plane_tolerance", o.plane_tolerance},
-          {"same_plane", o.same_plane}, {"chains", o.chains},         {"close_gap", o.close_gap},
-          {"repeated", o.repeated},     {"spike", o.spike},           {"crossings", o.crossings},
-          {"loops", o.loops},           {"tiny_loop", o.tiny_loop},   {"collinear", o.collinear},
+  return {{"limit", o.limit},           {"planes", o.planes},       {"plane_tolerance", o.plane_tolerance},
+          {"same_plane", o.same_plane}, {"chains", o.chains},       {"close_gap", o.close_gap},
+          {"repeated", o.repeated},     {"spike", o.spike},         {"crossings", o.crossings},
+          {"loops", o.loops},           {"tiny_loop", o.tiny_loop}, {"collinear", o.collinear},
           {"agreement", o.agreement},   {"agree", o.agree}};
 }
 

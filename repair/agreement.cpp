@@ -22,8 +22,8 @@ namespace {
 
 // Fractions of the diagonal.
 constexpr double kCoincidence = 1e-9;  ///< planes through one line or point, as in the reconstruction
-constexpr double kOnLine = 4e-9;       ///< a contour vertex this near is on the line: more than a step of the grid
-constexpr double kSpacing = 1.0 / 256; ///< nodes of lines that are contested
+constexpr double kOnLine = 4e-9;  ///< a contour vertex this near is on the line: more than a step of the grid
+constexpr double kSpacing = 1.0 / 256;  ///< nodes of lines that are contested
 constexpr std::uint32_t kMostRounds = 8;
 
 /// What is wrong on one span of a line with one plane.
@@ -139,10 +139,11 @@ void Agreement::look_at_line(std::uint32_t line,
       const TargetSpan& span = targets_[line].spans[s];
       auto found = misfits(setting_, l, l.planes[k], traces[k], targets_[line], span);
       std::erase_if(found, [&](const Misfit& m) {
-        return m.end - m.begin < least && std::none_of(contested[line].begin(), contested[line].end(), [&](auto* c) {
-          const double t = l.parameter(c->point.point);
-          return m.begin - setting_.on <= t && t <= m.end + setting_.on;
-        });
+        return m.end - m.begin < least &&
+               std::none_of(contested[line].begin(), contested[line].end(), [&](auto* c) {
+                 const double t = l.parameter(c->point.point);
+                 return m.begin - setting_.on <= t && t <= m.end + setting_.on;
+               });
       });
       if (!found.empty()) contradictions_.push_back({line, s, l.planes[k], std::move(found), {}, 0});
     }
@@ -172,9 +173,8 @@ void Agreement::join_touching(DisjointParts& groups) const {
   };
   const auto holds = [&](const Contradiction& a, Vec3 point) {
     const double t = lines_[a.line].parameter(point);
-    return std::any_of(a.misfits.begin(), a.misfits.end(), [&](const Misfit& m) {
-      return m.begin - tolerance <= t && t <= m.end + tolerance;
-    });
+    return std::any_of(a.misfits.begin(), a.misfits.end(),
+                       [&](const Misfit& m) { return m.begin - tolerance <= t && t <= m.end + tolerance; });
   };
   for (std::uint32_t i = 0; i < contradictions_.size(); ++i)
     for (std::uint32_t j = i + 1; j < contradictions_.size(); ++j)
@@ -323,7 +323,8 @@ Agreement::Edited Agreement::edited(std::uint32_t p, const std::vector<bool>& be
   return result;
 }
 
-/// Where patches go beyond the limit together, the contradiction nearest to the place is held to be beyond it.
+/// Where patches go beyond the limit together, the contradiction nearest to the place is held to be beyond
+/// it.
 bool Agreement::blame(std::uint32_t p, const PlaneSection& section, const std::vector<bool>& beyond) {
   const SectionBoundary now(section, planes_[p], work_.chart(plane(p)));
   Vec3 where;
@@ -394,15 +395,16 @@ bool Agreement::touches(std::uint32_t p, Vec3 before, Vec3 at, Vec3 after) const
   for (std::uint32_t l = 0; l < lines_.size(); ++l) {
     const CommonLine& line = lines_[l];
     const double t = line.parameter(at);
-    if (!std::binary_search(line.planes.begin(), line.planes.end(), p) || norm(line.at(t) - at) > on) continue;
+    if (!std::binary_search(line.planes.begin(), line.planes.end(), p) || norm(line.at(t) - at) > on)
+      continue;
     const Vec3 aside = cross(planes_[p].normal, line.direction);
     const double b = dot(aside, before - at), a = dot(aside, after - at);
     if (std::fabs(b) > on && std::fabs(a) > on && (b < 0) != (a < 0)) continue;
     const auto is_cut = [&](double cut) { return std::fabs(cut - t) <= on; };
     bool shared = false;
     for (std::size_t k = 0; k < line.planes.size(); ++k)
-      shared |= line.planes[k] != p &&
-                std::any_of(traces_[l][k].cuts.begin(), traces_[l][k].cuts.end(), is_cut);
+      shared |=
+          line.planes[k] != p && std::any_of(traces_[l][k].cuts.begin(), traces_[l][k].cuts.end(), is_cut);
     if (!shared) return true;
   }
   return false;

@@ -48,8 +48,8 @@ std::vector<CommonLine> common_lines(std::span<const UnitPlane> planes, const Da
   return lines;
 }
 
-std::vector<CommonPoint> common_points(std::span<const UnitPlane> planes,
-                                       std::span<const CommonLine> lines, double tolerance) {
+std::vector<CommonPoint> common_points(std::span<const UnitPlane> planes, std::span<const CommonLine> lines,
+                                       double tolerance) {
   std::map<std::vector<std::uint32_t>, CommonPoint> points;
   for (std::uint32_t l = 0; l < lines.size(); ++l)
     for (std::uint32_t k = 0; k < planes.size(); ++k) {

@@ -46,7 +46,7 @@ struct CommonPoint {
 
 /// The points of lines with planes that do not contain them, within the ball. O(l k) for l lines, O(k) more
 /// for each point.
-std::vector<CommonPoint> common_points(std::span<const UnitPlane> planes,
-                                       std::span<const CommonLine> lines, double tolerance);
+std::vector<CommonPoint> common_points(std::span<const UnitPlane> planes, std::span<const CommonLine> lines,
+                                       double tolerance);
 
 }  // namespace crossloft

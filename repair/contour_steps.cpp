@@ -1,5 +1,5 @@
-/// Third, fourth and last step: contours that do not cross, of a size that means something, without bends by a
-/// hair.
+/// Third, fourth and last step: contours that do not cross, of a size that means something, without bends by
+/// a hair.
 
 #include <algorithm>
 #include <cmath>
@@ -68,7 +68,8 @@ bool straighten_once(Work& work, WorkPlane& plane, std::map<std::uint32_t, Repai
   const auto walls = walls_by_vertex(p);
   std::vector<std::uint32_t> order;
   for (std::uint32_t v = 0; v < p.vertices.size(); ++v)
-    if (walls[v].size() == 2 && is_wall(p.edges[walls[v][0]]) && is_wall(p.edges[walls[v][1]])) order.push_back(v);
+    if (walls[v].size() == 2 && is_wall(p.edges[walls[v][0]]) && is_wall(p.edges[walls[v][1]]))
+      order.push_back(v);
   std::sort(order.begin(), order.end(), [&](auto v, auto w) { return p.vertices[v] < p.vertices[w]; });
   std::vector<bool> settled(p.vertices.size(), false);
   bool any = false;

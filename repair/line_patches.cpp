@@ -12,8 +12,8 @@ namespace {
 
 /// A lens keeps off other lines by a part of the way to them.
 constexpr double kOfWay = 0.7;
-/// A correction goes down to that of another line within the way to it: what a contour needs next to a point that
-/// stays where it is grows with the distance from it, by slope 1 at most.
+/// A correction goes down to that of another line within the way to it: what a contour needs next to a point
+/// that stays where it is grows with the distance from it, by slope 1 at most.
 constexpr double kSteepest = 1.25;
 constexpr double kOnLine = 1e-12;
 /// Flatness of the rays at the ends of a span: way along the line over way beside it.
@@ -49,15 +49,18 @@ class LensShape {
     samples_.insert(samples_.end(), own.target->nodes.begin(), own.target->nodes.end());
     std::sort(samples_.begin(), samples_.end());
     samples_.erase(std::unique(samples_.begin(), samples_.end()), samples_.end());
-    std::erase_if(samples_, [&](double t) { return t <= span.begin || t >= span.end || own_correction(t, 0) == 0; });
+    std::erase_if(samples_,
+                  [&](double t) { return t <= span.begin || t >= span.end || own_correction(t, 0) == 0; });
   }
 
   const std::vector<double>& samples() const { return samples_; }
   bool is_near(double t) const {
-    return std::any_of(corrections_.begin(), corrections_.end(), [&](const Correction* c) { return c->is_near(t); });
+    return std::any_of(corrections_.begin(), corrections_.end(),
+                       [&](const Correction* c) { return c->is_near(t); });
   }
   bool is_misfit(double t) const {
-    return std::any_of(corrections_.begin(), corrections_.end(), [&](const Correction* c) { return c->holds(t); });
+    return std::any_of(corrections_.begin(), corrections_.end(),
+                       [&](const Correction* c) { return c->holds(t); });
   }
 
   /// At a point of the line, to each side of it. It has no height on one side alone: a contour would run
@@ -72,15 +75,16 @@ class LensShape {
     return h[0] > 0 && h[1] > 0 ? h : std::array<double, 2>{0, 0};
   }
 
-  /// Ends of slanted rays from an end of the span, the flattest first: where the contour runs at a small angle
-  /// to the line, the lens has to reach beyond the span's end without touching the line there.
+  /// Ends of slanted rays from an end of the span, the flattest first: where the contour runs at a small
+  /// angle to the line, the lens has to reach beyond the span's end without touching the line there.
   std::vector<Vec3> fan(double t, Vec3 outwards, Vec3 aside) const {
     std::vector<Vec3> ends;
     if (!is_misfit(t)) return ends;
     for (const double flatness : kFan) {
       const Vec3 slanted = aside + flatness * outwards;
       const Ray ray = ray_from(t, (1 / norm(slanted)) * slanted);
-      if (const double l = ray.room > 0 ? length(ray) : 0; l > least_ / 2) ends.push_back(ray.from + l * ray.direction);
+      if (const double l = ray.room > 0 ? length(ray) : 0; l > least_ / 2)
+        ends.push_back(ray.from + l * ray.direction);
     }
     return ends;
   }
@@ -162,7 +166,8 @@ Patch lens(const PlaneLines& plane, std::size_t number, const TargetSpan& span, 
   const CommonLine& line = *plane.lines[number].line;
   const Vec3 aside = cross(plane.section.plane().normal, line.direction);
   std::array<std::vector<Vec3>, 2> chains;  // above and below the line
-  for (const std::size_t side : {0u, 1u}) chains[side] = shape.fan(span.begin, -line.direction, side ? -aside : aside);
+  for (const std::size_t side : {0u, 1u})
+    chains[side] = shape.fan(span.begin, -line.direction, side ? -aside : aside);
   bool reached = shape.is_misfit(span.begin);  // by a part with height
   for (const double t : shape.samples()) {
     const auto [up, down] = shape.heights(t, aside);
@@ -195,7 +200,8 @@ Patch plug(const PlaneLines& plane, Vec3 point, const std::vector<const CommonLi
     if (!l.target || std::find(through.begin(), through.end(), l.line) == through.end()) continue;
     const double t = l.line->parameter(point);
     for (const TargetSpan& span : l.target->spans)
-      if (span.begin <= t && t <= span.end) radius = std::min({radius, (t - span.begin) / 2, (span.end - t) / 2});
+      if (span.begin <= t && t <= span.end)
+        radius = std::min({radius, (t - span.begin) / 2, (span.end - t) / 2});
   }
   Patch patch;
   patch.kind = inside ? LayerKind::added : LayerKind::removed;
@@ -220,7 +226,8 @@ std::uint32_t drop_crumbs(PlaneSection& section, const PlaneLines& plane, double
     part.fresh |= e.contour == kNone;
     for (const LineInPlane& l : plane.lines) {
       const Vec3 aside = cross(plane.section.plane().normal, l.line->direction);
-      const double on = kOnLine * l.line->reach, s = dot(aside, a - l.line->point), t = dot(aside, b - l.line->point);
+      const double on = kOnLine * l.line->reach, s = dot(aside, a - l.line->point),
+                   t = dot(aside, b - l.line->point);
       part.meets_line |= std::fabs(s) <= on || std::fabs(t) <= on || (s < 0) != (t < 0);
     }
   }

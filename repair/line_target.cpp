@@ -52,8 +52,8 @@ class Blend {
   std::span<const Trace> traces_;
 };
 
-std::vector<double> nodes_of(const LineSetting& setting, const CommonLine& line, std::span<const Trace> traces,
-                             const std::vector<Lead>& leads,
+std::vector<double> nodes_of(const LineSetting& setting, const CommonLine& line,
+                             std::span<const Trace> traces, const std::vector<Lead>& leads,
                              std::span<const ContestedPoint* const> contested) {
   std::vector<double> nodes;
   const double steps = std::ceil(2 * line.reach / setting.spacing);
@@ -95,9 +95,8 @@ void drop_short_spans(std::vector<TargetSpan>& spans, std::span<const Trace> tra
   std::vector<TargetSpan> kept;
   for (std::size_t k = 0; k < spans.size(); ++k) {
     const TargetSpan& s = spans[k];
-    const bool contradicted = std::any_of(traces.begin(), traces.end(), [&](const Trace& t) {
-      return t.between(s.begin, s.end) != s.state;
-    });
+    const bool contradicted = std::any_of(
+        traces.begin(), traces.end(), [&](const Trace& t) { return t.between(s.begin, s.end) != s.state; });
     const bool drop = k > 0 && k + 1 < spans.size() && s.end - s.begin < least && contradicted;
     add_span(kept, s.begin, s.end, drop ? kept.back().state : s.state);
   }
@@ -162,9 +161,7 @@ std::vector<Misfit> misfits(const LineSetting& setting, const CommonLine& line, 
     const Inside state = trace.between(t0, t1);
     return state != Inside::either && state != span.state;
   };
-  const auto depth = [&](double t) {
-    return std::fabs(distance_at(setting, plane, trace, line.at(t), t));
-  };
+  const auto depth = [&](double t) { return std::fabs(distance_at(setting, plane, trace, line.at(t), t)); };
   double from = span.begin;
   const auto close_piece = [&](double to) {
     if (to > from && contradicts(from, to)) {

@@ -54,7 +54,8 @@ double longest_contradiction(std::span<const Trace> traces);
 
 /// The target. Where all sections agree it is what they say, but next to a contested point; else inside iff
 /// the mean of their signed distances is below 0. Next to a contested point the blend is led to that point's
-/// by slope 1, at most half way to the next one. Spans shorter than setting.least only stay where all agree. `traces` are those of line.planes.
+/// by slope 1, at most half way to the next one. Spans shorter than setting.least only stay where all agree.
+/// `traces` are those of line.planes.
 LineTarget line_target(const LineSetting& setting, const CommonLine& line, std::span<const Trace> traces,
                        std::span<const ContestedPoint* const> contested);
 

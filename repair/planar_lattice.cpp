@@ -29,8 +29,9 @@ std::int64_t to_step(double length, double step) {
 /// The integer nearest to p + d num / den, half way upwards, |d| < 2^30, |num| <= den < 2^62.
 std::int64_t rounded(std::int64_t p, std::int64_t d, std::int64_t num, std::int64_t den) {
   // From doubles first, then right by exact tests: x is too large if (2 (x - p) - 1) den > 2 d num.
-  std::int64_t x = p + static_cast<std::int64_t>(std::floor(
-                           static_cast<double>(d) * (static_cast<double>(num) / static_cast<double>(den)) + 0.5));
+  std::int64_t x =
+      p + static_cast<std::int64_t>(std::floor(
+              static_cast<double>(d) * (static_cast<double>(num) / static_cast<double>(den)) + 0.5));
   const auto beyond = [&](std::int64_t candidate) {
     const FixedInt<32> left(2 * (candidate - p) - 1);
     const auto difference = left * FixedInt<62>(den) - FixedInt<32>(2 * d) * FixedInt<62>(num);
@@ -68,13 +69,17 @@ bool cross(PlanarPoint a, PlanarPoint b, PlanarPoint c, PlanarPoint d) {
 }
 
 bool passes(PlanarPoint a, PlanarPoint b, PlanarPoint h) {
-  // In half steps the corners are integers.
+  // In half steps the corners are integers. The sides that do not belong to the square are moved in by an
+  // infinitesimal.
   const PlanarPoint p{2 * a.x, 2 * a.y}, q{2 * b.x, 2 * b.y};
   const PlanarPoint low{2 * h.x - 1, 2 * h.y - 1}, high{2 * h.x + 1, 2 * h.y + 1};
-  if (std::max(p.x, q.x) < low.x || std::min(p.x, q.x) > high.x) return false;
-  if (std::max(p.y, q.y) < low.y || std::min(p.y, q.y) > high.y) return false;
-  const int s = sign(turn(p, q, low)), t = sign(turn(p, q, high));
-  const int u = sign(turn(p, q, {low.x, high.y})), v = sign(turn(p, q, {high.x, low.y}));
+  if (std::max(p.x, q.x) < low.x || std::min(p.x, q.x) >= high.x) return false;
+  if (std::max(p.y, q.y) < low.y || std::min(p.y, q.y) >= high.y) return false;
+  const auto side = [&](bool right, bool top) {
+    const std::int64_t exact = turn(p, q, {right ? high.x : low.x, top ? high.y : low.y});
+    return exact != 0 ? sign(exact) : sign((right ? q.y - p.y : 0) - (top ? q.x - p.x : 0));
+  };
+  const int s = side(false, false), t = side(true, true), u = side(false, true), v = side(true, false);
   return !(s > 0 && t > 0 && u > 0 && v > 0) && !(s < 0 && t < 0 && u < 0 && v < 0);
 }
 

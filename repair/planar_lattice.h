@@ -45,7 +45,8 @@ constexpr std::int64_t turn(PlanarPoint a, PlanarPoint b, PlanarPoint c) {
 /// True iff the open segments have exactly one common point.
 bool cross(PlanarPoint a, PlanarPoint b, PlanarPoint c, PlanarPoint d);
 
-/// True iff the segment ab meets the closed unit square around h. O(1).
+/// True iff the segment ab meets the unit square around h, which has its left and lower side and not the
+/// others: the points that are rounded to h.
 bool passes(PlanarPoint a, PlanarPoint b, PlanarPoint h);
 
 /// The grid point nearest to the crossing of ab and cd, exactly rounded, half way upwards.

@@ -31,7 +31,8 @@ std::vector<Vec3> used_vertices(const PlaneSection& section) {
 
 Spread spread_along(Vec3 normal, const std::vector<Vec3>& vertices) {
   Spread s{dot(normal, vertices[0]), dot(normal, vertices[0])};
-  for (const Vec3& v : vertices) s.low = std::min(s.low, dot(normal, v)), s.high = std::max(s.high, dot(normal, v));
+  for (const Vec3& v : vertices)
+    s.low = std::min(s.low, dot(normal, v)), s.high = std::max(s.high, dot(normal, v));
   return s;
 }
 
@@ -54,14 +55,15 @@ void settle_sign(Work& work, WorkPlane& plane) {
 using Matrix = std::array<std::array<double, 3>, 3>;
 
 double determinant(const Matrix& m) {
-  return dot({m[0][0], m[0][1], m[0][2]},
-             cross({m[1][0], m[1][1], m[1][2]}, {m[2][0], m[2][1], m[2][2]}));
+  return dot({m[0][0], m[0][1], m[0][2]}, cross({m[1][0], m[1][1], m[1][2]}, {m[2][0], m[2][1], m[2][2]}));
 }
 
 /// The plane through the vertices by least squares of the heights over the present one; its normal.
 Vec3 fitted_normal(const WorkPlane& plane, const std::vector<Vec3>& vertices) {
   const Vec3 n = plane.normal;
-  const Vec3 axis = std::fabs(n.x) <= 0.5 ? Vec3{1, 0, 0} : std::fabs(n.y) <= 0.5 ? Vec3{0, 1, 0} : Vec3{0, 0, 1};
+  const Vec3 axis = std::fabs(n.x) <= 0.5   ? Vec3{1, 0, 0}
+                    : std::fabs(n.y) <= 0.5 ? Vec3{0, 1, 0}
+                                            : Vec3{0, 0, 1};
   Vec3 u = cross(n, axis);
   u = (1 / norm(u)) * u;
   const Vec3 v = cross(n, u);
@@ -200,7 +202,13 @@ void unite_planes(Work& work) {
       if (gone[order[j]] || apart > tolerance) continue;
       gone[order[j]] = true;
       for (Vec3& v : other.section.vertices) v = v - (dot(first.normal, v) + first.offset) * first.normal;
-      work.note({RepairKind::planes_united, other.source, kNone, kNone, 1, apart, {},
+      work.note({RepairKind::planes_united,
+                 other.source,
+                 kNone,
+                 kNone,
+                 1,
+                 apart,
+                 {},
                  "the plane is plane " + std::to_string(first.source) + ": their sections were united"});
       others.push_back(std::move(other.section));
     }

@@ -18,9 +18,11 @@ using repair_steps::WorkPlane;
 /// Nearer to another plane a vertex is a crossing, as the reconstruction takes it.
 constexpr double kOnPlane = 1e-9;
 
-constexpr std::array<const char*, 15> kNames{
-    "offset-sign", "plane-fitted", "onto-plane",      "planes-united", "contour-closed",   "contour-left-out", "repeated-vertices",
-    "spikes",      "crossings",    "tiny-loop",       "nearly-straight", "agreed", "pieces-left-out", "borders-left-out", "left-as-it-is"};
+constexpr std::array<const char*, 15> kNames{"offset-sign",       "plane-fitted",     "onto-plane",
+                                             "planes-united",     "contour-closed",   "contour-left-out",
+                                             "repeated-vertices", "spikes",           "crossings",
+                                             "tiny-loop",         "nearly-straight",  "agreed",
+                                             "pieces-left-out",   "borders-left-out", "left-as-it-is"};
 
 Result<Done> check_options(const RepairOptions& o) {
   for (const double tolerance : {o.limit, o.plane_tolerance, o.same_plane, o.close_gap, o.repeated, o.spike,
@@ -151,8 +153,7 @@ Result<Repair> repair_sections(const Sections& in, const RepairOptions& options,
   }
   repair_planes_and_contours(work);
   for (WorkPlane& p : work.planes) repair_steps::settle_plane(p);
-  if (options.agreement && !agree(work, context))
-    return Error{ErrorCode::cancelled, "cancelled", in.source};
+  if (options.agreement && !agree(work, context)) return Error{ErrorCode::cancelled, "cancelled", in.source};
   if (options.loops) repair_steps::straighten_runs(work);
   finish(work, in);
   return std::move(work.result);

@@ -30,7 +30,8 @@ struct RepairOptions {
 
   bool loops = true;        ///< tiny loops, runs that are nearly straight
   double tiny_loop = 1e-6;  ///< loops that a box of this size holds go
-  double collinear = 1e-10; ///< a vertex that is no further off the line of its neighbours, and not on it, goes
+  double collinear =
+      1e-10;  ///< a vertex that is no further off the line of its neighbours, and not on it, goes
 
   bool agreement = true;  ///< sections that disagree on common lines
   double agree = 1e-5;    ///< crossings that differ by less are left to the matching of the reconstruction

@@ -20,7 +20,7 @@ struct WorkPlane {
   Vec3 normal;                   ///< unit length, first component that is not 0 positive
   double offset = 0;             ///< half way between the extreme vertices, as framing does it
   bool edited = false;
-  std::uint32_t given = 0;       ///< vertices in the file; those after them are new
+  std::uint32_t given = 0;  ///< vertices in the file; those after them are new
 };
 
 struct Work {

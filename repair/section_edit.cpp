@@ -217,8 +217,7 @@ void tidy_section(PlaneSection& section) {
   }
   std::map<std::uint32_t, std::uint32_t> number;
   for (ContourEdge& e : section.edges)
-    e.contour =
-        number.try_emplace(parts.find(e.a), static_cast<std::uint32_t>(number.size())).first->second;
+    e.contour = number.try_emplace(parts.find(e.a), static_cast<std::uint32_t>(number.size())).first->second;
 }
 
 }  // namespace crossloft

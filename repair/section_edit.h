@@ -30,8 +30,9 @@ inline bool is_wall(const ContourEdge& e) { return (e.material_a == 0) != (e.mat
 
 /// Replaces the section by (section or added) and not removed, each by even-odd. `others` are sections of the
 /// same plane to be united with it. Edges that stay whole keep their place, ends and materials; parts of
-/// edges take over the material; new edges get that of the nearest wall and the contour kNone. Borders between
-/// materials stay where they still end at other edges. Vertices are appended; none is taken away. Points in one step of the chart become one vertex.
+/// edges take over the material; new edges get that of the nearest wall and the contour kNone. Borders
+/// between materials stay where they still end at other edges. Vertices are appended; none is taken away.
+/// Points in one step of the chart become one vertex.
 SectionEdit edit_section(PlaneSection& section, const PlaneChart& chart, std::span<const Patch> patches,
                          std::span<const PlaneSection* const> others = {});
 

@@ -39,8 +39,8 @@ class SectionBoundary {
   bool inside(Vec3 p) const;
   /// Below 0 inside. Without a contour it is infinite.
   double signed_distance(Vec3 p) const { return inside(p) ? -distance(p) : distance(p); }
-  /// The largest distance of one of its vertices from the other contour; infinite if that is empty and this is
-  /// not. O(n log m).
+  /// The largest distance of one of its vertices from the other contour; infinite if that is empty and this
+  /// is not. O(n log m).
   double largest_distance_from(const SectionBoundary& other, Vec3* where = nullptr) const;
   /// The point of the contour nearest to p and its contour. REQUIRES: not empty. O(n).
   Vec3 nearest(Vec3 p, std::uint32_t& contour) const;

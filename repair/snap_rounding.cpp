@@ -1,9 +1,8 @@
 /// Iterated snap rounding (Halperin and Packer, 2002): ends and crossings, rounded to the grid, are the hot
 /// points. A segment that passes the unit square of a hot point is led through the point, and so are its
-/// pieces, until none passes another. Rounding to hot points moves no segment past another (Guibas and
-/// Marimont, 1998), and since no hot point is added by it, the rerouting ends. The squares are closed here,
-/// which may leave a segment on either side of a shared corner; crossings that this makes are rounded in
-/// another pass.
+/// pieces, until none passes another. Rounding to hot points makes no segments cross (Guibas and Marimont,
+/// 1998), and no hot point comes from it, so that the rerouting ends. That no crossing is left is looked at
+/// in the end; one would be rounded in another pass.
 
 #include "snap_rounding.h"
 
