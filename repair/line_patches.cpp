@@ -196,8 +196,10 @@ Patch lens(const PlaneLines& plane, std::size_t number, const TargetSpan& span, 
 
 Patch plug(const PlaneLines& plane, Vec3 point, const std::vector<const CommonLine*>& through, bool inside,
            double radius) {
+  Vec3 u;
   for (const LineInPlane& l : plane.lines) {
     if (!l.target || std::find(through.begin(), through.end(), l.line) == through.end()) continue;
+    u = l.line->direction;
     const double t = l.line->parameter(point);
     for (const TargetSpan& span : l.target->spans)
       if (span.begin <= t && t <= span.end)
@@ -205,7 +207,7 @@ Patch plug(const PlaneLines& plane, Vec3 point, const std::vector<const CommonLi
   }
   Patch patch;
   patch.kind = inside ? LayerKind::added : LayerKind::removed;
-  const Vec3 n = plane.section.plane().normal, u = through[0]->direction, v = cross(n, u);
+  const Vec3 v = cross(plane.section.plane().normal, u);
   for (const auto& [x, y] : {std::pair{4, 1}, {1, 4}, {-1, 4}, {-4, 1}, {-4, -1}, {-1, -4}, {1, -4}, {4, -1}})
     add_corner(patch, point + (radius * x / 4) * u + (radius * y / 4) * v, false);
   return patch;
