@@ -71,9 +71,11 @@ class Agreement {
   void tell_agreed(const Contradiction& c);
   void tell_left(const Contradiction& c, bool beyond);
   void tell_all_left();
+  std::uint32_t lonely_line(std::uint32_t plane, Vec3 at) const;
   bool touches(std::uint32_t plane, Vec3 before, Vec3 at, Vec3 after) const;
   bool remove_touches(std::uint32_t plane);
   bool remove_all_touches();
+  void tell_pinches(std::uint32_t plane);
   void renew(std::uint32_t plane);
   RepairChange change_of(const Contradiction& c) const;
   std::string others_of(const Contradiction& c) const;
@@ -132,14 +134,16 @@ void Agreement::look_at_line(std::uint32_t line,
   std::vector<Trace>& traces = traces_[line];
   for (const std::uint32_t p : l.planes) traces.push_back(sections_[p].trace(l, setting_.on));
   const double least = setting_.least;
-  if (contested[line].empty() && longest_contradiction(traces) < least) return;
+  if (contested[line].empty() && !contradict(traces, least)) return;
   targets_[line] = line_target(setting_, l, traces, contested[line]);
   for (std::uint32_t s = 0; s < targets_[line].spans.size(); ++s)
     for (std::size_t k = 0; k < l.planes.size(); ++k) {
       const TargetSpan& span = targets_[line].spans[s];
       auto found = misfits(setting_, l, l.planes[k], traces[k], targets_[line], span);
       std::erase_if(found, [&](const Misfit& m) {
-        return m.end - m.begin < least &&
+        // One that ends with the span is a crossing that is shifted by a hair; others come and go.
+        const bool shifted = m.begin <= span.begin || m.end >= span.end;
+        return shifted && m.end - m.begin < least &&
                std::none_of(contested[line].begin(), contested[line].end(), [&](auto* c) {
                  const double t = l.parameter(c->point.point);
                  return m.begin - setting_.on <= t && t <= m.end + setting_.on;
@@ -388,26 +392,31 @@ void Agreement::tell_all_left() {
   for (std::size_t i = 0; i < contradictions_.size(); ++i) tell_left(contradictions_[i], beyond[i]);
 }
 
-/// The vertex is on a line that no other section is cut at there, and the contour leaves the line on the side
-/// it came from, or runs along it.
-bool Agreement::touches(std::uint32_t p, Vec3 before, Vec3 at, Vec3 after) const {
+/// A common line that the point of the plane is on and no other section is cut at there, kNone if there is
+/// none.
+std::uint32_t Agreement::lonely_line(std::uint32_t p, Vec3 at) const {
   const double on = 2 * setting_.on;
   for (std::uint32_t l = 0; l < lines_.size(); ++l) {
     const CommonLine& line = lines_[l];
     const double t = line.parameter(at);
     if (!std::binary_search(line.planes.begin(), line.planes.end(), p) || norm(line.at(t) - at) > on)
       continue;
-    const Vec3 aside = cross(planes_[p].normal, line.direction);
-    const double b = dot(aside, before - at), a = dot(aside, after - at);
-    if (std::fabs(b) > on && std::fabs(a) > on && (b < 0) != (a < 0)) continue;
-    const auto is_cut = [&](double cut) { return std::fabs(cut - t) <= on; };
     bool shared = false;
     for (std::size_t k = 0; k < line.planes.size(); ++k)
-      shared |=
-          line.planes[k] != p && std::any_of(traces_[l][k].cuts.begin(), traces_[l][k].cuts.end(), is_cut);
-    if (!shared) return true;
+      shared |= line.planes[k] != p && std::any_of(traces_[l][k].cuts.begin(), traces_[l][k].cuts.end(),
+                                                   [&](double cut) { return std::fabs(cut - t) <= on; });
+    if (!shared) return l;
   }
-  return false;
+  return kNone;
+}
+
+/// The contour leaves such a line on the side it came from, or runs along it.
+bool Agreement::touches(std::uint32_t p, Vec3 before, Vec3 at, Vec3 after) const {
+  const std::uint32_t l = lonely_line(p, at);
+  if (l == kNone) return false;
+  const Vec3 aside = cross(planes_[p].normal, lines_[l].direction);
+  const double b = dot(aside, before - at), a = dot(aside, after - at), on = 2 * setting_.on;
+  return !(std::fabs(b) > on && std::fabs(a) > on && (b < 0) != (a < 0));
 }
 
 /// In lexicographic order.
@@ -450,6 +459,17 @@ bool Agreement::remove_all_touches() {
   return any;
 }
 
+/// New vertices where contours touch each other on a line that no other section is cut at there.
+void Agreement::tell_pinches(std::uint32_t p) {
+  const PlaneSection& s = plane(p).section;
+  std::vector<std::uint32_t> degree(s.vertices.size(), 0);
+  for (const ContourEdge& e : s.edges) ++degree[e.a], ++degree[e.b];
+  for (const std::uint32_t v : vertices_from(s, plane(p).given))
+    if (degree[v] > 2 && lonely_line(p, s.vertices[v]) != kNone)
+      work_.note({RepairKind::left_as_it_is, plane(p).source, kNone, kNone, 1, 0, s.vertices[v],
+                  "contours touch on a common line: no way was found"});
+}
+
 void Agreement::renew(std::uint32_t p) {
   sections_[p] = SectionBoundary(plane(p).section, planes_[p], work_.chart(plane(p)));
 }
@@ -466,6 +486,8 @@ bool Agreement::run() {
   look();
   make_patches();
   tell_all_left();
+  for (std::uint32_t p = 0; p < order_.size(); ++p)
+    if (plane(p).edited) tell_pinches(p);
   return true;
 }
 

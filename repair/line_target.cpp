@@ -120,21 +120,29 @@ double distance_at(const LineSetting& setting, std::uint32_t plane, const Trace&
   return state == Inside::yes ? -distance : distance;
 }
 
-double longest_contradiction(std::span<const Trace> traces) {
+bool contradict(std::span<const Trace> traces, double least) {
   std::vector<double> cuts;
   for (const Trace& t : traces) cuts.insert(cuts.end(), t.cuts.begin(), t.cuts.end());
   sort_unique(cuts);
-  double longest = 0, length = 0;
+  const auto comes_and_goes = [&](double begin, double end) {
+    return std::any_of(traces.begin(), traces.end(), [&](const Trace& t) {
+      return std::binary_search(t.cuts.begin(), t.cuts.end(), begin) &&
+             std::binary_search(t.cuts.begin(), t.cuts.end(), end);
+    });
+  };
+  std::size_t begin = 0;  // of the stretch that ends at the next cut
   for (std::size_t k = 0; k + 1 < cuts.size(); ++k) {
     bool in = false, out = false;
     for (const Trace& t : traces) {
       const Inside state = t.between(cuts[k], cuts[k + 1]);
       in |= state == Inside::yes, out |= state == Inside::no;
     }
-    length = in && out ? length + (cuts[k + 1] - cuts[k]) : 0;
-    longest = std::max(longest, length);
+    if (!(in && out))
+      begin = k + 1;
+    else if (cuts[k + 1] - cuts[begin] >= least || comes_and_goes(cuts[begin], cuts[k + 1]))
+      return true;
   }
-  return longest;
+  return false;
 }
 
 LineTarget line_target(const LineSetting& setting, const CommonLine& line, std::span<const Trace> traces,

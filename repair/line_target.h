@@ -49,8 +49,9 @@ struct LineSetting {
 /// Distance of the line's point from the contour of a plane that contains it, below 0 inside, 0 on it.
 double distance_at(const LineSetting& setting, std::uint32_t plane, const Trace& trace, Vec3 p, double t);
 
-/// The longest stretch on which two of the planes contradict each other, 0 if none.
-double longest_contradiction(std::span<const Trace> traces);
+/// Two of the planes contradict each other on a stretch of this length, or on a shorter one that one section
+/// alone comes to and goes from: it has two crossings there and no other section has any.
+bool contradict(std::span<const Trace> traces, double least);
 
 /// The target. Where all sections agree it is what they say, but next to a contested point; else inside iff
 /// the mean of their signed distances is below 0. Next to a contested point the blend is led to that point's

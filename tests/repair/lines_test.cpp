@@ -78,6 +78,14 @@ TEST_CASE("a contour along the line is as good inside as outside, one that touch
   CHECK(trace.cuts.empty());
 }
 
+TEST_CASE("a section that alone comes to the line and goes contradicts at any length") {
+  const Trace none{{}, {Inside::no}}, poke{{0.5, 0.5 + 1e-7}, {Inside::no, Inside::yes, Inside::no}};
+  const Trace one{{0.5}, {Inside::no, Inside::yes}}, other{{0.5 + 1e-7}, {Inside::no, Inside::yes}};
+  CHECK(contradict(std::vector{none, poke}, 0.1));
+  CHECK_FALSE(contradict(std::vector{one, other}, 0.1));
+  CHECK_FALSE(contradict(std::vector{poke, poke}, 0.1));
+}
+
 TEST_CASE("distances and nearest points against brute force") {
   const PlaneSection plane = disk({0, 0, 1}, {0, 0, 0}, 1, 30);
   const SectionBoundary section = boundary(plane);
@@ -107,7 +115,8 @@ TEST_CASE("the target of two intervals is half way between them") {
   const LineSetting setting{sections, 1e-9, 0.05, 1e-6, 8};
   const CommonLine line = x_axis();
   const std::vector<Trace> traces{sections[0].trace(line, 1e-9), sections[1].trace(line, 1e-9)};
-  CHECK(longest_contradiction(traces) == doctest::Approx(0.2));
+  CHECK(contradict(traces, 0.19));
+  CHECK_FALSE(contradict(traces, 0.21));
   const LineTarget target = line_target(setting, line, traces, {});
   REQUIRE(target.spans.size() == 3);
   CHECK(target.spans[1].state == Inside::yes);
