@@ -16,8 +16,11 @@ Vec3 position(const LatticePoint& p) { return {p.x, p.y, p.z}; }
 /// Exactly collinear vertices do no such harm and stay: they are the sampling of the contour.
 class RunMerger {
  public:
-  RunMerger(SectionGraph& graph, std::uint32_t plane)
-      : graph_(graph), plane_(graph.planes[plane]), walls_(graph.walls[plane]), chains_(walls_, graph.size()) {
+  RunMerger(SectionGraph& graph, std::uint32_t plane, ContourPlaces& places)
+      : graph_(graph),
+        plane_(graph.planes[plane]),
+        chains_(graph.walls[plane], places),
+        vertices_(places.vertices()) {
     tolerance_ = snapping_tolerance(plane_);
   }
   void run();
@@ -29,8 +32,8 @@ class RunMerger {
 
   SectionGraph& graph_;
   LatticePlane plane_;
-  std::vector<Wall>& walls_;
   ContourChains chains_;
+  const std::vector<std::uint32_t>& vertices_;  ///< of the plane
   double tolerance_ = 0;
 };
 
@@ -55,14 +58,12 @@ bool RunMerger::try_remove(std::uint32_t v) {
 /// Vertices of degree 2 in the interior of a face, by coordinates.
 std::vector<std::uint32_t> RunMerger::candidates() const {
   std::vector<std::uint32_t> found;
-  for (const Wall& wall : walls_)
-    for (const std::uint32_t v : {wall.a, wall.b})
-      if (chains_.degree(v) == 2 && graph_.common_planes(v, v) == 1) found.push_back(v);
+  for (const std::uint32_t v : vertices_)
+    if (chains_.degree(v) == 2 && graph_.common_planes(v, v) == 1) found.push_back(v);
   std::sort(found.begin(), found.end(), [&](std::uint32_t a, std::uint32_t b) {
     const int s = compare_lex(graph_.points[a], graph_.points[b]);
     return s != 0 ? s < 0 : a < b;
   });
-  found.erase(std::unique(found.begin(), found.end()), found.end());
   return found;
 }
 
@@ -72,11 +73,22 @@ void RunMerger::run() {
   chains_.finish();
 }
 
+/// True iff the vertices are in strictly lexicographic order and all in use.
+bool is_in_order(const SectionGraph& graph, const std::vector<bool>& used) {
+  for (std::uint32_t v = 0; v < graph.size(); ++v)
+    if (!used[v] || (v > 0 && compare_lex(graph.points[v - 1], graph.points[v]) >= 0)) return false;
+  return true;
+}
+
 /// Vertices into lexicographic order, equal ones into one, those without a wall out unless `kept`.
 void renumber(SectionGraph& graph, const std::vector<bool>& kept) {
   std::vector<bool> used = kept;
   for (const auto& walls : graph.walls)
     for (const Wall& w : walls) used[w.a] = used[w.b] = true;
+  if (is_in_order(graph, used)) {
+    for (auto& walls : graph.walls) cancel_pairs(walls);
+    return;
+  }
   std::vector<std::uint32_t> order;
   for (std::uint32_t v = 0; v < graph.size(); ++v)
     if (used[v]) order.push_back(v);
@@ -148,6 +160,7 @@ void cut_touching(SectionGraph& graph) {
 void cut_along_edges(SectionGraph& graph, const Arrangement& arrangement) {
   std::vector<std::array<std::uint32_t, 2>> on_edge;  // edge, vertex
   for (std::uint32_t v = 0; v < graph.size(); ++v) {
+    if (graph.common_planes(v, v) < 2) continue;
     const Location at = arrangement.locate({graph.positive_of(v), graph.zero_of(v)});
     if (at.found() && at.dimension == 1) on_edge.push_back({at.index, v});
   }
@@ -155,6 +168,7 @@ void cut_along_edges(SectionGraph& graph, const Arrangement& arrangement) {
   for (std::uint32_t p = 0; p < graph.planes.size(); ++p)
     for (std::uint32_t w = static_cast<std::uint32_t>(graph.walls[p].size()); w-- > 0;) {
       const Wall wall = graph.walls[p][w];
+      if (graph.common_planes(wall.a, wall.b) < 2) continue;
       const Location at = wall_location(graph, arrangement, wall);
       if (!at.found() || at.dimension != 1) continue;
       std::vector<std::uint32_t> between;
@@ -185,12 +199,18 @@ void cancel_pairs(std::vector<Wall>& walls) {
   walls = std::move(odd);
 }
 
+bool crosses_a_plane(const SectionGraph& graph, const Wall& wall) {
+  const auto pa = graph.positive_of(wall.a), pb = graph.positive_of(wall.b), za = graph.zero_of(wall.a),
+             zb = graph.zero_of(wall.b);
+  for (std::uint32_t w = 0; w < graph.words; ++w)
+    if (((pa[w] ^ pb[w]) & ~za[w] & ~zb[w]) != 0) return true;
+  return false;
+}
+
 Location wall_location(const SectionGraph& graph, const Arrangement& arrangement, const Wall& wall) {
+  if (crosses_a_plane(graph, wall)) return {};
   std::vector<std::uint64_t> positive(graph.words), zero(graph.words);
   for (std::uint32_t w = 0; w < graph.words; ++w) {
-    if (((graph.positive_of(wall.a)[w] ^ graph.positive_of(wall.b)[w]) & ~graph.zero_of(wall.a)[w] &
-         ~graph.zero_of(wall.b)[w]) != 0)
-      return {};
     positive[w] = graph.positive_of(wall.a)[w] | graph.positive_of(wall.b)[w];
     zero[w] = graph.zero_of(wall.a)[w] & graph.zero_of(wall.b)[w];
   }
@@ -198,7 +218,8 @@ Location wall_location(const SectionGraph& graph, const Arrangement& arrangement
 }
 
 void merge_collinear_runs(SectionGraph& graph) {
-  for (std::uint32_t p = 0; p < graph.planes.size(); ++p) RunMerger(graph, p).run();
+  ContourPlaces places(graph.size());
+  for (std::uint32_t p = 0; p < graph.planes.size(); ++p) RunMerger(graph, p, places).run();
 }
 
 void drop_bare_vertices(SectionGraph& graph) { renumber(graph, std::vector<bool>(graph.size(), false)); }
@@ -210,7 +231,7 @@ void unify(SectionGraph& graph, const Arrangement& arrangement) {
   drop_bare_vertices(graph);
 }
 
-void add_arrangement_vertices(SectionGraph& graph, const Arrangement& arrangement) {
+bool add_arrangement_vertices(SectionGraph& graph, const Arrangement& arrangement) {
   const std::uint32_t count = arrangement.vertex_count();
   std::vector<bool> in(count, false), out(count, false);
   for (std::uint32_t p = 0; p < graph.planes.size(); ++p) {
@@ -227,7 +248,9 @@ void add_arrangement_vertices(SectionGraph& graph, const Arrangement& arrangemen
     if (in[v] && out[v]) ++graph.statistics.disagreeing;
     if (in[v]) graph.add(arrangement.point(ArrVertexId{v}));
   }
-  renumber(graph, std::vector<bool>(graph.size(), true));
+  const bool any = std::find(in.begin(), in.end(), true) != in.end();
+  if (any) renumber(graph, std::vector<bool>(graph.size(), true));
+  return any;
 }
 
 }  // namespace crossloft::section_steps

@@ -51,9 +51,11 @@ struct SectionGraph {
   std::vector<LatticePlane> planes;               ///< canonical order; bits of the sign rows
   std::vector<LatticePoint> points;               ///< by vertex, in lexicographic order, all different
   std::uint32_t words = 1;                        ///< of a sign row
-  std::vector<std::uint64_t> positive, zero;      ///< sign rows by vertex, `words` each
+  std::vector<std::uint64_t> positive, zero;      ///< sign rows, `words` each: by vertex, or by row_of
+  std::vector<std::uint32_t> row_of;              ///< by vertex: its row, equal rows being one; none while it grows
   std::vector<Location> locations;                ///< by vertex: the element of the arrangement it lies in
   std::vector<std::vector<Wall>> walls;           ///< by plane, sorted by (a, b)
+  std::vector<std::vector<Location>> wall_locations;  ///< by plane and wall: the face or edge that it lies in
   CrossingStatistics statistics;
 
   std::uint32_t size() const { return static_cast<std::uint32_t>(points.size()); }
@@ -65,14 +67,22 @@ struct SectionGraph {
   std::uint32_t common_planes(std::uint32_t u, std::uint32_t v) const;
   /// Adds a vertex and its exact signs; equal points are not merged here. Returns its number.
   std::uint32_t add(const LatticePoint& point);
+  /// Adds vertices on plane p. `across`: the planes that meet it in a line; the others are parallel to it and see
+  /// all of it from one side, so that they are asked once.
+  void add_on_plane(std::uint32_t p, std::span<const LatticePoint> points,
+                    std::span<const std::uint32_t> across);
+  /// Equal rows become one, as vertices in one face have: with k planes rows of k bits are most of the graph. It can't
+  /// grow any more. REQUIRES: locations are known.
+  void share_rows();
   /// Moves a vertex and renews its signs.
   void move(std::uint32_t v, const LatticePoint& point);
   /// An even-odd tester over the current walls of plane p; `ends` receives them and must outlive the tester.
   SectionLocator locator(std::uint32_t p, std::vector<WallEnds>& ends) const;
 
  private:
+  void set_sign(std::uint32_t v, std::uint32_t p, int side);
   std::span<const std::uint64_t> row(const std::vector<std::uint64_t>& rows, std::uint32_t v) const {
-    return {rows.data() + std::size_t{v} * words, words};
+    return {rows.data() + std::size_t{row_of.empty() ? v : row_of[v]} * words, words};
   }
 };
 

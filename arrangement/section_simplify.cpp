@@ -67,7 +67,7 @@ struct Candidate {
 /// goes.
 class Simplifier {
  public:
-  Simplifier(SectionGraph& graph, std::uint32_t plane, double tolerance);
+  Simplifier(SectionGraph& graph, std::uint32_t plane, ContourPlaces& places, double tolerance);
   void run();
 
  private:
@@ -79,21 +79,13 @@ class Simplifier {
   LatticePlane plane_;
   double tolerance_;
   ContourChains chains_;
-  std::vector<std::uint32_t> vertices_;          ///< of this plane, ascending
-  std::vector<std::uint32_t> place_;             ///< in vertices_, by vertex
+  const ContourPlaces& place_;                   ///< by vertex
+  const std::vector<std::uint32_t>& vertices_;   ///< of this plane, by place
   PointTree tree_;                               ///< of vertices_, seen along the dominant axis
   std::vector<std::uint32_t> version_;           ///< by place
   std::vector<std::vector<Candidate>> waiting_;  ///< by place of the vertex that is in the way
   std::priority_queue<Candidate, std::vector<Candidate>, std::greater<>> queue_;
 };
-
-std::vector<std::uint32_t> ends_of(const std::vector<Wall>& walls) {
-  std::vector<std::uint32_t> ends;
-  for (const Wall& w : walls) ends.insert(ends.end(), {w.a, w.b});
-  std::sort(ends.begin(), ends.end());
-  ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
-  return ends;
-}
 
 /// Rounded coordinates but the dominant one. Rounding is monotone: a point in a triangle is in the box of its
 /// corners when all are rounded.
@@ -109,18 +101,16 @@ std::vector<Vec2> flat(const LatticePlane& plane, const SectionGraph& graph,
   return points;
 }
 
-Simplifier::Simplifier(SectionGraph& graph, std::uint32_t plane, double tolerance)
+Simplifier::Simplifier(SectionGraph& graph, std::uint32_t plane, ContourPlaces& places, double tolerance)
     : graph_(graph),
       plane_(graph.planes[plane]),
       tolerance_(tolerance),
-      chains_(graph.walls[plane], graph.size()),
-      vertices_(ends_of(graph.walls[plane])),
-      place_(graph.size(), kNone),
+      chains_(graph.walls[plane], places),
+      place_(places),
+      vertices_(places.vertices()),
       tree_(flat(plane_, graph, vertices_)),
       version_(vertices_.size(), 0),
-      waiting_(vertices_.size()) {
-  for (std::uint32_t k = 0; k < vertices_.size(); ++k) place_[vertices_[k]] = k;
-}
+      waiting_(vertices_.size()) {}
 
 /// Puts v into the queue if (a) holds and it is not pinned; outdates what was said of it before.
 void Simplifier::assess(std::uint32_t v) {
@@ -198,7 +188,8 @@ void Simplifier::run() {
 }  // namespace
 
 void simplify_contours(SectionGraph& graph, double tolerance) {
-  for (std::uint32_t p = 0; p < graph.planes.size(); ++p) Simplifier(graph, p, tolerance).run();
+  ContourPlaces places(graph.size());
+  for (std::uint32_t p = 0; p < graph.planes.size(); ++p) Simplifier(graph, p, places, tolerance).run();
   drop_bare_vertices(graph);
 }
 

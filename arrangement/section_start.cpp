@@ -16,25 +16,35 @@ double length(const LatticeVector& v) {
 
 Vec3 position(const LatticePoint& p) { return {p.x, p.y, p.z}; }
 
-/// Distance of a real point to a lattice plane, lattice units; rounding of about 2^-4 is far below any tolerance.
-double distance(const LatticePlane& plane, Vec3 p) {
+/// Distance of a real point to a lattice plane with a normal of that length, lattice units; rounding of about
+/// 2^-4 is far below any tolerance.
+double distance(const LatticePlane& plane, double normal_length, Vec3 p) {
   double sum = 0;
   for (std::size_t k = 0; k < 3; ++k) {
     const double x = k == 0 ? p.x : k == 1 ? p.y : p.z;
     sum += static_cast<double>(plane.normal[k]) * (x - static_cast<double>(plane.origin[k]));
   }
-  return std::abs(sum) / length(plane.normal);
+  return std::abs(sum) / normal_length;
 }
 
-/// Shortest contour edge at each vertex of one plane, lattice units.
-std::vector<double> shortest_edges(const SectionGraph& graph, std::uint32_t p) {
-  std::vector<double> shortest(graph.points.size(), INFINITY);
+/// Shortest contour edge at each of the `count` vertices from `base` on, those of plane p; lattice units.
+std::vector<double> shortest_edges(const SectionGraph& graph, std::uint32_t p, std::uint32_t base,
+                                   std::size_t count) {
+  std::vector<double> shortest(count, INFINITY);
   for (const Wall& w : graph.walls[p]) {
     const double l = norm(position(graph.points[w.a]) - position(graph.points[w.b]));
-    shortest[w.a] = std::min(shortest[w.a], l);
-    shortest[w.b] = std::min(shortest[w.b], l);
+    shortest[w.a - base] = std::min(shortest[w.a - base], l);
+    shortest[w.b - base] = std::min(shortest[w.b - base], l);
   }
   return shortest;
+}
+
+/// The planes that meet plane i in a line. In a stack of slices there is none, and nothing to ask of a vertex.
+std::vector<std::uint32_t> planes_across(const SectionGraph& graph, std::uint32_t i) {
+  std::vector<std::uint32_t> across;
+  for (std::uint32_t j = 0; j < graph.planes.size(); ++j)
+    if (line_axis(graph.planes[i], graph.planes[j]) >= 0) across.push_back(j);
+  return across;
 }
 
 /// The point of the line of planes i, j whose dominant coordinate is that of `from`, rounded: at most sqrt(3) times as
@@ -79,9 +89,9 @@ SectionGraph start(const FramedSections& framed) {
   for (const FramedPlane& plane : framed.planes) graph.planes.push_back(plane.plane);
   graph.words = static_cast<std::uint32_t>((graph.planes.size() + 63) / 64);
   graph.walls.resize(graph.planes.size());
-  for (std::size_t p = 0; p < framed.planes.size(); ++p) {
+  for (std::uint32_t p = 0; p < framed.planes.size(); ++p) {
     const std::uint32_t base = graph.size();
-    for (const LatticePoint& point : framed.planes[p].vertices) graph.add(point);
+    graph.add_on_plane(p, framed.planes[p].vertices, planes_across(graph, p));
     for (const WallEdge& w : framed.planes[p].walls)
       graph.walls[p].push_back({base + w.a, base + w.b, w.contour, w.plane, w.line, false});
   }
@@ -119,25 +129,31 @@ void join_touching(SectionGraph& graph) {
 
 void move_onto_lines(SectionGraph& graph, const FramedSections& framed, LatticePointStore& store,
                      double tolerance) {
-  std::uint32_t v = 0;
+  std::vector<double> lengths;
+  for (const LatticePlane& plane : graph.planes) lengths.push_back(length(plane.normal));
   std::vector<std::uint32_t> near;
+  std::uint32_t base = 0;
   for (std::uint32_t i = 0; i < graph.planes.size(); ++i) {
-    const std::vector<double> shortest = shortest_edges(graph, i);
-    for (const Vec3& input : framed.planes[i].input) {
-      const Vec3 at = framed.grid.scaled(input);
+    const std::vector<Vec3>& inputs = framed.planes[i].input;
+    const std::vector<std::uint32_t> across = planes_across(graph, i);
+    const std::vector<double> shortest = shortest_edges(graph, i, base, inputs.size());
+    for (std::uint32_t k = 0; k < inputs.size() && !across.empty(); ++k) {
+      if (shortest[k] == INFINITY) continue;
+      const std::uint32_t v = base + k;
+      const Vec3 at = framed.grid.scaled(inputs[k]);
       near.clear();
-      for (std::uint32_t j = 0; j < graph.planes.size(); ++j)
-        if (j != i && shortest[v] < INFINITY && distance(graph.planes[j], at) <= tolerance && line_axis(graph.planes[i], graph.planes[j]) >= 0)
-          near.push_back(j);
-      const bool all_exact = std::all_of(near.begin(), near.end(), [&](auto j) { return graph.sign(v, j) == 0; });
+      for (const std::uint32_t j : across)
+        if (distance(graph.planes[j], lengths[j], at) <= tolerance) near.push_back(j);
+      const bool all_exact =
+          std::all_of(near.begin(), near.end(), [&](auto j) { return graph.sign(v, j) == 0; });
       if (!near.empty() && all_exact) ++graph.statistics.on_line;
-      if (!all_exact)
-        if (const auto point = target(graph, store, i, v, near, shortest[v] / 4)) {
-          graph.move(v, *point);
-          ++graph.statistics.on_line;
-        }
-      ++v;
+      if (all_exact) continue;
+      if (const auto point = target(graph, store, i, v, near, shortest[k] / 4)) {
+        graph.move(v, *point);
+        ++graph.statistics.on_line;
+      }
     }
+    base += static_cast<std::uint32_t>(inputs.size());
   }
 }
 

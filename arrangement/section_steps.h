@@ -48,10 +48,14 @@ void simplify_contours(SectionGraph& graph, double tolerance);
 /// Takes out the vertices without a wall.
 void drop_bare_vertices(SectionGraph& graph);
 
-/// Adds the arrangement vertices that lie in the closed section of one of their planes.
-void add_arrangement_vertices(SectionGraph& graph, const Arrangement& arrangement);
+/// Adds the arrangement vertices that lie in the closed section of one of their planes. True if there are any.
+bool add_arrangement_vertices(SectionGraph& graph, const Arrangement& arrangement);
 
-/// The face or edge of the arrangement that holds the open wall; not found if the wall crosses a plane.
+/// True iff the ends of the wall are on different sides of a plane.
+bool crosses_a_plane(const SectionGraph& graph, const Wall& wall);
+
+/// The face or edge of the arrangement that holds the open wall; not found if the wall crosses a plane. Its own bits
+/// and a hash: once for each wall of the finished graph, which keeps it.
 Location wall_location(const SectionGraph& graph, const Arrangement& arrangement, const Wall& wall);
 
 }  // namespace crossloft::section_steps

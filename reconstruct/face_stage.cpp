@@ -73,7 +73,7 @@ void Pipeline::finish_faces() {
   if (observer_)
     for (const FaceTriangulation& face : faces_)
       if (face.face.valid()) observer_->on_face(face, numbering_);
-  result_.sections = assemble_sections(framed_, graph_, *arrangement_, faces_, numbering_);
+  result_.sections = assemble_sections(framed_, graph_, faces_, numbering_);
   result_.report.seconds.faces += watch_.lap();
 }
 

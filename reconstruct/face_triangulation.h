@@ -68,6 +68,7 @@ class LineEdges {
   bool on_line(std::uint32_t u, std::uint32_t v) const { return shared_planes(u, v) >= 2; }
 
  private:
+  /// REQUIRES: they share one.
   std::uint32_t shared_planes(std::uint32_t u, std::uint32_t v) const;
 
   struct Entry {

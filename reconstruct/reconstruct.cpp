@@ -128,6 +128,7 @@ Result<Done> Pipeline::arrange() {
   report_crossings();
   report.seconds.crossings = watch_.lap();
   if (observer_) observer_->on_sections(framed_, *arrangement_, graph_);
+  for (FramedPlane& plane : framed_.planes) plane.vertices = {}, plane.input = {}, plane.walls = {};
   return Done{};
 }
 
