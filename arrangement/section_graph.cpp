@@ -83,7 +83,7 @@ Result<SectionGraph> build_section_graph(const FramedSections& framed, const Arr
                                          const Context& context) {
   namespace steps = section_steps;
   SectionGraph graph = steps::start(framed);
-  steps::join_touching(graph);
+  steps::join_touching(graph, tolerances.on);
   steps::move_onto_lines(graph, framed, store, tolerances.on);
   if (context.cancelled()) return make_error(ErrorCode::cancelled, "cancelled");
   if (!steps::cut_at_planes(graph, store, tolerances.on))

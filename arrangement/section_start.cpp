@@ -93,10 +93,10 @@ double snapping_tolerance(const LatticePlane& plane) {
   return kSteps * std::max(length(plane.e1), length(plane.e2));
 }
 
-void join_touching(SectionGraph& graph) {
+void join_touching(SectionGraph& graph, double tolerance) {
   for (std::uint32_t p = 0; p < graph.planes.size(); ++p) {
     std::vector<WallEnds> ends;
-    const auto touches = graph.locator(p, ends).near_touches(snapping_tolerance(graph.planes[p]));
+    const auto touches = graph.locator(p, ends).near_touches(std::max(snapping_tolerance(graph.planes[p]), tolerance));
     for (std::size_t begin = 0, end; begin < touches.size(); begin = end) {
       const std::uint32_t w = touches[begin][0];
       const Wall wall = graph.walls[p][w];

@@ -14,9 +14,9 @@ double snapping_tolerance(const LatticePlane& plane);
 /// Equal walls cancel in pairs: a point crosses both or none. Sorts by (a, b), a < b; drops walls without length.
 void cancel_pairs(std::vector<Wall>& walls);
 
-/// Contours of one plane that touch: a wall within the snapping tolerance of another contour's vertex is led through
-/// that vertex, so that the touch survives all later rounding. REQUIRES: nothing cut or moved yet.
-void join_touching(SectionGraph& graph);
+/// Contours of one plane that touch: a wall within `tolerance`, or the snapping tolerance, of another vertex is led
+/// through that vertex, so that the touch survives all later rounding. REQUIRES: nothing cut or moved yet.
+void join_touching(SectionGraph& graph, double tolerance);
 
 /// On: a contour vertex within `tolerance` of another plane, measured on the input coordinates, is a crossing that
 /// the slicer wrote; it moves onto the common line, or onto the arrangement vertex of two such lines. Not if the way

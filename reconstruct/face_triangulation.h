@@ -44,7 +44,7 @@ struct FaceInput {
 std::vector<FaceInput> face_inputs(const SectionGraph& graph, const Arrangement& arrangement);
 
 /// Triangulates; without area in its vertices the face has no triangles. `locator` tests its plane. Independent
-/// of other faces: may run in parallel. Error internal (with plane and contour) if a contour edge could not
+/// of other faces: may run in parallel. Error too_thin (with plane and contour) if a contour edge could not
 /// be recovered.
 Result<FaceTriangulation> triangulate_face(const SectionGraph& graph, const Arrangement& arrangement,
                                            const SectionLocator& locator, const FaceInput& input);
