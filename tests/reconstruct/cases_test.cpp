@@ -8,8 +8,8 @@ using namespace crossloft::test;
 
 namespace {
 
-void check_case(const char* name) {
-  const auto r = reconstruct(load(name, "/tests/reconstruct/cases/"));
+void check_case(const char* name, const Options& options = {}) {
+  const auto r = reconstruct(load(name, "/tests/reconstruct/cases/"), options);
   REQUIRE(r.ok());
   const CheckReport surface = check_surface(r->surface);
   CHECK(surface.good_topology());
@@ -30,4 +30,15 @@ TEST_CASE("nearly parallel planes: a piece led to a corner crossed a further pla
 
 TEST_CASE("nearly parallel planes: a piece that crossed a plane gave its face contradicting labels") {
   check_case("near_parallel_labels.contour");
+}
+
+TEST_CASE("contours that touch along edges up to 1e-10 of the diagonal: the gap asked for millions of splits") {
+  check_case("hair_gap_parallel.contour");
+  check_case("hair_gap_triangle.contour");
+}
+
+TEST_CASE("simplified contours passed other vertices by a rounding error") {
+  Options options;
+  options.simplify = 0.5;
+  check_case("simplified_onto_edge.contour", options);
 }
