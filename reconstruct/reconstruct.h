@@ -36,7 +36,7 @@ struct Reconstruction {
 class Observer;
 
 /// Reconstructs. The result does not depend on the order of planes, contours, vertices or on context.threads.
-/// Errors: those of the input (ErrorCode up to contradicting_planes), too_thin, cancelled, internal. Never throws but for memory.
+/// Errors: those of the input (ErrorCode up to contradicting_planes), too_thin, out_of_memory, cancelled, internal. Throws only what a callback throws.
 /// No plane is an error; planes without contours or one plane alone give an empty surface and a warning in the report.
 /// `observer` (observer.h) is shown every intermediate product.
 Result<Reconstruction> reconstruct(const Sections& sections, const Options& options = {}, const Context& context = {},
