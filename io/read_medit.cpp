@@ -28,8 +28,9 @@ void read_medit_tets(TokenReader& in, Solid& solid) {
     for (std::uint32_t& corner : corners) {
       const std::int32_t number = in.integer("a corner of a tetrahedron");
       if (number < 1 || static_cast<std::size_t>(number) > solid.points.size()) {
-        in.fail(ErrorCode::index_out_of_range, "a tetrahedron names vertex " + std::to_string(number) +
-                                                   " of " + std::to_string(solid.points.size()));
+        in.fail(ErrorCode::index_out_of_range, "a corner of a tetrahedron is " + std::to_string(number) +
+                                                   ", but there are " + std::to_string(solid.points.size()) +
+                                                   ", counted from 1");
       }
       corner = static_cast<std::uint32_t>(number - 1);
     }
