@@ -306,6 +306,10 @@ Result<FramedSections> frame_sections(const Sections& in, double plane_tolerance
     if (!plane) return plane.error();
     out.planes.push_back(std::move(*plane));
   }
+  if (std::all_of(out.planes.begin(), out.planes.end(), [](const FramedPlane& p) { return p.walls.empty(); })) {
+    out.planes.clear();  // there is no box around no vertex
+    out.warnings.push_back("no contour is wide enough to be told from a line");
+  }
   return out;
 }
 

@@ -42,3 +42,12 @@ TEST_CASE("simplified contours passed other vertices by a rounding error") {
   options.simplify = 0.5;
   check_case("simplified_onto_edge.contour", options);
 }
+
+TEST_CASE("contours that snapping narrows to lines: nothing is left to put a box around") {
+  const auto r = reconstruct(load("narrowed_to_nothing.contour", "/tests/reconstruct/cases/"));
+  REQUIRE(r.ok());
+  CHECK(r->surface.triangles.empty());
+  CHECK(r->report.arrangement_cells == 0);
+  CHECK(std::count(r->report.warnings.begin(), r->report.warnings.end(),
+                   "no contour is wide enough to be told from a line") == 1);
+}
