@@ -51,3 +51,10 @@ TEST_CASE("contours that snapping narrows to lines: nothing is left to put a box
   CHECK(std::count(r->report.warnings.begin(), r->report.warnings.end(),
                    "no contour is wide enough to be told from a line") == 1);
 }
+
+TEST_CASE("planes a hair apart: a vertex of their diagram was rounded far off its arc, which asked for 2^46 samples") {
+  Options options;
+  options.mode = PruneMode::paper;
+  options.branching.mode = Branching::all;
+  check_case("arc_end_off_its_line.contour", options);
+}
