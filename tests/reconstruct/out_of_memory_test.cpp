@@ -31,6 +31,13 @@ bool fails() {
   return left == 0;
 }
 
+void* granted(std::size_t bytes) {
+  void* const memory = std::malloc(bytes != 0 ? bytes : 1);
+  if (memory == nullptr) std::abort();
+  live.fetch_add(1);
+  return memory;
+}
+
 /// As the standard asks of operator new.
 void* allocate(std::size_t bytes) {
   while (fails()) {
@@ -38,10 +45,7 @@ void* allocate(std::size_t bytes) {
     if (handler == nullptr) throw std::bad_alloc();
     handler();
   }
-  void* const memory = std::malloc(bytes != 0 ? bytes : 1);
-  if (memory == nullptr) std::abort();
-  live.fetch_add(1);
-  return memory;
+  return granted(bytes);
 }
 
 void release(void* memory) {
@@ -53,8 +57,16 @@ void release(void* memory) {
 
 void* operator new(std::size_t bytes) { return allocate(bytes); }
 void* operator new[](std::size_t bytes) { return allocate(bytes); }
+void* operator new(std::size_t bytes, const std::nothrow_t&) noexcept {
+  return fails() ? nullptr : granted(bytes);
+}
+void* operator new[](std::size_t bytes, const std::nothrow_t&) noexcept {
+  return fails() ? nullptr : granted(bytes);
+}
 void operator delete(void* memory) noexcept { release(memory); }
 void operator delete[](void* memory) noexcept { release(memory); }
+void operator delete(void* memory, const std::nothrow_t&) noexcept { release(memory); }
+void operator delete[](void* memory, const std::nothrow_t&) noexcept { release(memory); }
 void operator delete(void* memory, std::size_t) noexcept { release(memory); }
 void operator delete[](void* memory, std::size_t) noexcept { release(memory); }
 
