@@ -152,7 +152,8 @@ Result<SectionGraph> build_section_graph(const FramedSections& framed, const Arr
                                          const Context& context) {
   namespace steps = section_steps;
   SectionGraph graph = steps::start(framed);
-  if (!steps::join_touching(graph, context)) return make_error(ErrorCode::cancelled, "cancelled");
+  if (!steps::join_touching(graph, tolerances.on, context))
+    return make_error(ErrorCode::cancelled, "cancelled");
   steps::move_onto_lines(graph, framed, store, tolerances.on);
   if (context.cancelled()) return make_error(ErrorCode::cancelled, "cancelled");
   if (!steps::cut_at_planes(graph, store, tolerances.on))

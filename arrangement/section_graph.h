@@ -87,7 +87,8 @@ struct SectionGraph {
 };
 
 struct CrossingTolerances {
-  double on = 0;     ///< lattice units: a contour vertex this near another plane is a crossing already
+  double on = 0;     ///< lattice units: a contour vertex this near another plane is a crossing already,
+                     ///< this near another wall of its plane it is on it
   double match = 0;  ///< lattice units: crossings of two sections this near are the same
   double simplify =
       0;  ///< lattice units: vertices within faces go if the contour moves no further; 0: all stay

@@ -108,9 +108,9 @@ double snapping_tolerance(const LatticePlane& plane) {
 
 namespace {
 
-void join_touching(SectionGraph& graph, std::uint32_t p) {
+void join_touching(SectionGraph& graph, std::uint32_t p, double tolerance) {
   std::vector<WallEnds> ends;
-  const auto touches = graph.locator(p, ends).near_touches(snapping_tolerance(graph.planes[p]));
+  const auto touches = graph.locator(p, ends).near_touches(std::max(snapping_tolerance(graph.planes[p]), tolerance));
   for (std::size_t begin = 0, end; begin < touches.size(); begin = end) {
     const std::uint32_t w = touches[begin][0];
     const Wall wall = graph.walls[p][w];
@@ -132,9 +132,9 @@ void join_touching(SectionGraph& graph, std::uint32_t p) {
 
 }  // namespace
 
-bool join_touching(SectionGraph& graph, const Context& context) {
+bool join_touching(SectionGraph& graph, double tolerance, const Context& context) {
   return parallel_for(graph.planes.size(), context, "sections",
-                      [&](std::size_t p) { join_touching(graph, static_cast<std::uint32_t>(p)); });
+                      [&](std::size_t p) { join_touching(graph, static_cast<std::uint32_t>(p), tolerance); });
 }
 
 void move_onto_lines(SectionGraph& graph, const FramedSections& framed, LatticePointStore& store,

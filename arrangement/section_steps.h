@@ -15,10 +15,10 @@ double snapping_tolerance(const LatticePlane& plane);
 /// length.
 void cancel_pairs(std::vector<Wall>& walls);
 
-/// Contours of one plane that touch: a wall within the snapping tolerance of another contour's vertex is led
-/// through that vertex, so that the touch survives all later rounding. False if cancelled. REQUIRES: nothing
-/// cut or moved yet.
-bool join_touching(SectionGraph& graph, const Context& context);
+/// Contours of one plane that touch: a wall within `tolerance`, or the snapping tolerance, of another vertex
+/// is led through that vertex, so that the touch survives all later rounding. False if cancelled. REQUIRES:
+/// nothing cut or moved yet.
+bool join_touching(SectionGraph& graph, double tolerance, const Context& context);
 
 /// On: a contour vertex within `tolerance` of another plane, measured on the input coordinates, is a crossing
 /// that the slicer wrote; it moves onto the common line, or onto the arrangement vertex of two such lines.

@@ -12,7 +12,8 @@
 
 namespace crossloft::cli {
 
-/// Makes Ctrl-C and SIGTERM raise the cancel flag of every context made afterwards; a second one kills.
+/// Makes Ctrl-C and SIGTERM raise the cancel flag of every context made afterwards; a second one kills. A file that
+/// grows beyond the limit of the process is a failed write from then on.
 void catch_interrupts();
 
 /// The default again: for work that does not look at the flag, and whose files appear whole or not at all.

@@ -117,6 +117,10 @@ class Pipeline {
   void report_planes();
 
   Error cancelled() const { return make_error(ErrorCode::cancelled, "cancelled"); }
+  void note(std::string text) {
+    context_.note(text);
+    result_.report.notes.push_back(std::move(text));
+  }
   void warn(std::string text) {
     context_.warn(text);
     result_.report.warnings.push_back(std::move(text));
