@@ -1,8 +1,10 @@
-/// Last steps of the section graph: collinear runs, one vertex a point, canonical order, arrangement vertices.
+/// Last steps of the section graph: collinear runs, one vertex a point, canonical order, arrangement
+/// vertices.
 
 #include <algorithm>
 #include <numeric>
 
+#include "../geom/parallel.h"
 #include "contour_chains.h"
 #include "section_steps.h"
 
@@ -11,13 +13,17 @@ namespace {
 
 Vec3 position(const LatticePoint& p) { return {p.x, p.y, p.z}; }
 
-/// Removes vertices of the contours of one plane that snapping has bent by a hair: one that dips to the inner side
-/// makes an external sliver with its neighbours where no other vertex is near, and with it go the tetrahedra on it.
-/// Exactly collinear vertices do no such harm and stay: they are the sampling of the contour.
+/// Removes vertices of the contours of one plane that snapping has bent by a hair: one that dips to the inner
+/// side makes an external sliver with its neighbours where no other vertex is near, and with it go the
+/// tetrahedra on it. Exactly collinear vertices do no such harm and stay: they are the sampling of the
+/// contour.
 class RunMerger {
  public:
-  RunMerger(SectionGraph& graph, std::uint32_t plane)
-      : graph_(graph), plane_(graph.planes[plane]), walls_(graph.walls[plane]), chains_(walls_, graph.size()) {
+  RunMerger(SectionGraph& graph, std::uint32_t plane, ContourPlaces& places)
+      : graph_(graph),
+        plane_(graph.planes[plane]),
+        chains_(graph.walls[plane], places),
+        vertices_(places.vertices()) {
     tolerance_ = snapping_tolerance(plane_);
   }
   void run();
@@ -29,15 +35,16 @@ class RunMerger {
 
   SectionGraph& graph_;
   LatticePlane plane_;
-  std::vector<Wall>& walls_;
   ContourChains chains_;
+  const std::vector<std::uint32_t>& vertices_;  ///< of the plane
   double tolerance_ = 0;
 };
 
-/// v projects into the open segment uw and is within tolerance of it. Differences of explicit points are exact, the
-/// products are good to 2^-4 lattice units.
+/// v projects into the open segment uw and is within tolerance of it. Differences of explicit points are
+/// exact, the products are good to 2^-4 lattice units.
 bool RunMerger::near_segment(std::uint32_t u, std::uint32_t w, std::uint32_t v) const {
-  const Vec3 a = position(graph_.points[u]), d = position(graph_.points[w]) - a, p = position(graph_.points[v]) - a;
+  const Vec3 a = position(graph_.points[u]), d = position(graph_.points[w]) - a,
+             p = position(graph_.points[v]) - a;
   const double along = dot(p, d), length2 = dot(d, d);
   return along > 0 && along < length2 && norm(cross(p, d)) <= tolerance_ * std::sqrt(length2);
 }
@@ -55,14 +62,12 @@ bool RunMerger::try_remove(std::uint32_t v) {
 /// Vertices of degree 2 in the interior of a face, by coordinates.
 std::vector<std::uint32_t> RunMerger::candidates() const {
   std::vector<std::uint32_t> found;
-  for (const Wall& wall : walls_)
-    for (const std::uint32_t v : {wall.a, wall.b})
-      if (chains_.degree(v) == 2 && graph_.common_planes(v, v) == 1) found.push_back(v);
+  for (const std::uint32_t v : vertices_)
+    if (chains_.degree(v) == 2 && graph_.common_planes(v, v) == 1) found.push_back(v);
   std::sort(found.begin(), found.end(), [&](std::uint32_t a, std::uint32_t b) {
     const int s = compare_lex(graph_.points[a], graph_.points[b]);
     return s != 0 ? s < 0 : a < b;
   });
-  found.erase(std::unique(found.begin(), found.end()), found.end());
   return found;
 }
 
@@ -72,11 +77,22 @@ void RunMerger::run() {
   chains_.finish();
 }
 
+/// True iff the vertices are in strictly lexicographic order and all in use.
+bool is_in_order(const SectionGraph& graph, const std::vector<bool>& used) {
+  for (std::uint32_t v = 0; v < graph.size(); ++v)
+    if (!used[v] || (v > 0 && compare_lex(graph.points[v - 1], graph.points[v]) >= 0)) return false;
+  return true;
+}
+
 /// Vertices into lexicographic order, equal ones into one, those without a wall out unless `kept`.
 void renumber(SectionGraph& graph, const std::vector<bool>& kept) {
   std::vector<bool> used = kept;
   for (const auto& walls : graph.walls)
     for (const Wall& w : walls) used[w.a] = used[w.b] = true;
+  if (is_in_order(graph, used)) {
+    for (auto& walls : graph.walls) cancel_pairs(walls);
+    return;
+  }
   std::vector<std::uint32_t> order;
   for (std::uint32_t v = 0; v < graph.size(); ++v)
     if (used[v]) order.push_back(v);
@@ -125,29 +141,28 @@ bool strictly_on(const SectionGraph& graph, std::uint32_t p, const Wall& wall, s
 }
 
 /// Contours of one plane that touch: a vertex inside another wall cuts it; what then runs double cancels.
-void cut_touching(SectionGraph& graph) {
-  for (std::uint32_t p = 0; p < graph.planes.size(); ++p) {
-    std::vector<WallEnds> ends;
-    std::vector<std::vector<std::uint32_t>> touching(graph.walls[p].size());
-    bool any = false;
-    for (const auto& [v, w] : graph.locator(p, ends).conflicts())
-      for (const auto& [cut, by] : {std::pair{v, w}, std::pair{w, v}})
-        for (const std::uint32_t end : {ends[by].a, ends[by].b})
-          if (strictly_on(graph, p, graph.walls[p][cut], end)) {
-            touching[cut].push_back(end);
-            any = true;
-          }
-    if (!any) continue;
-    for (std::uint32_t w = 0; w < touching.size(); ++w)
-      if (!touching[w].empty()) cut_wall(graph, p, w, touching[w]);
-    cancel_pairs(graph.walls[p]);
-  }
+void cut_touching(SectionGraph& graph, std::uint32_t p) {
+  std::vector<WallEnds> ends;
+  std::vector<std::vector<std::uint32_t>> touching(graph.walls[p].size());
+  bool any = false;
+  for (const auto& [v, w] : graph.locator(p, ends).conflicts())
+    for (const auto& [cut, by] : {std::pair{v, w}, std::pair{w, v}})
+      for (const std::uint32_t end : {ends[by].a, ends[by].b})
+        if (strictly_on(graph, p, graph.walls[p][cut], end)) {
+          touching[cut].push_back(end);
+          any = true;
+        }
+  if (!any) return;
+  for (std::uint32_t w = 0; w < touching.size(); ++w)
+    if (!touching[w].empty()) cut_wall(graph, p, w, touching[w]);
+  cancel_pairs(graph.walls[p]);
 }
 
 /// Walls along an arrangement edge are cut at every section vertex there, of any plane.
 void cut_along_edges(SectionGraph& graph, const Arrangement& arrangement) {
   std::vector<std::array<std::uint32_t, 2>> on_edge;  // edge, vertex
   for (std::uint32_t v = 0; v < graph.size(); ++v) {
+    if (graph.common_planes(v, v) < 2) continue;
     const Location at = arrangement.locate({graph.positive_of(v), graph.zero_of(v)});
     if (at.found() && at.dimension == 1) on_edge.push_back({at.index, v});
   }
@@ -155,6 +170,7 @@ void cut_along_edges(SectionGraph& graph, const Arrangement& arrangement) {
   for (std::uint32_t p = 0; p < graph.planes.size(); ++p)
     for (std::uint32_t w = static_cast<std::uint32_t>(graph.walls[p].size()); w-- > 0;) {
       const Wall wall = graph.walls[p][w];
+      if (graph.common_planes(wall.a, wall.b) < 2) continue;
       const Location at = wall_location(graph, arrangement, wall);
       if (!at.found() || at.dimension != 1) continue;
       std::vector<std::uint32_t> between;
@@ -173,7 +189,8 @@ void cancel_pairs(std::vector<Wall>& walls) {
     if (w.a > w.b) std::swap(w.a, w.b);
   std::erase_if(walls, [](const Wall& w) { return w.a == w.b; });
   std::sort(walls.begin(), walls.end(), [](const Wall& x, const Wall& y) {
-    return std::tie(x.a, x.b, x.source_plane, x.contour, x.line) < std::tie(y.a, y.b, y.source_plane, y.contour, y.line);
+    return std::tie(x.a, x.b, x.source_plane, x.contour, x.line) <
+           std::tie(y.a, y.b, y.source_plane, y.contour, y.line);
   });
   std::vector<Wall> odd;
   for (const Wall& w : walls) {
@@ -185,12 +202,18 @@ void cancel_pairs(std::vector<Wall>& walls) {
   walls = std::move(odd);
 }
 
+bool crosses_a_plane(const SectionGraph& graph, const Wall& wall) {
+  const auto pa = graph.positive_of(wall.a), pb = graph.positive_of(wall.b), za = graph.zero_of(wall.a),
+             zb = graph.zero_of(wall.b);
+  for (std::uint32_t w = 0; w < graph.words; ++w)
+    if (((pa[w] ^ pb[w]) & ~za[w] & ~zb[w]) != 0) return true;
+  return false;
+}
+
 Location wall_location(const SectionGraph& graph, const Arrangement& arrangement, const Wall& wall) {
+  if (crosses_a_plane(graph, wall)) return {};
   std::vector<std::uint64_t> positive(graph.words), zero(graph.words);
   for (std::uint32_t w = 0; w < graph.words; ++w) {
-    if (((graph.positive_of(wall.a)[w] ^ graph.positive_of(wall.b)[w]) & ~graph.zero_of(wall.a)[w] &
-         ~graph.zero_of(wall.b)[w]) != 0)
-      return {};
     positive[w] = graph.positive_of(wall.a)[w] | graph.positive_of(wall.b)[w];
     zero[w] = graph.zero_of(wall.a)[w] & graph.zero_of(wall.b)[w];
   }
@@ -198,19 +221,21 @@ Location wall_location(const SectionGraph& graph, const Arrangement& arrangement
 }
 
 void merge_collinear_runs(SectionGraph& graph) {
-  for (std::uint32_t p = 0; p < graph.planes.size(); ++p) RunMerger(graph, p).run();
+  ContourPlaces places(graph.size());
+  for (std::uint32_t p = 0; p < graph.planes.size(); ++p) RunMerger(graph, p, places).run();
 }
 
 void drop_bare_vertices(SectionGraph& graph) { renumber(graph, std::vector<bool>(graph.size(), false)); }
 
-void unify(SectionGraph& graph, const Arrangement& arrangement) {
+void unify(SectionGraph& graph, const Arrangement& arrangement, const Context& context) {
   drop_bare_vertices(graph);
-  cut_touching(graph);
+  parallel_for(graph.planes.size(), context, "sections",
+               [&](std::size_t p) { cut_touching(graph, static_cast<std::uint32_t>(p)); });
   cut_along_edges(graph, arrangement);
   drop_bare_vertices(graph);
 }
 
-void add_arrangement_vertices(SectionGraph& graph, const Arrangement& arrangement) {
+bool add_arrangement_vertices(SectionGraph& graph, const Arrangement& arrangement) {
   const std::uint32_t count = arrangement.vertex_count();
   std::vector<bool> in(count, false), out(count, false);
   for (std::uint32_t p = 0; p < graph.planes.size(); ++p) {
@@ -227,7 +252,9 @@ void add_arrangement_vertices(SectionGraph& graph, const Arrangement& arrangemen
     if (in[v] && out[v]) ++graph.statistics.disagreeing;
     if (in[v]) graph.add(arrangement.point(ArrVertexId{v}));
   }
-  renumber(graph, std::vector<bool>(graph.size(), true));
+  const bool any = std::find(in.begin(), in.end(), true) != in.end();
+  if (any) renumber(graph, std::vector<bool>(graph.size(), true));
+  return any;
 }
 
 }  // namespace crossloft::section_steps

@@ -4,7 +4,9 @@
 /// Vertex v goes if it is in the interior of a face, has two walls, to u and w, and
 ///   (a) v and all vertices that its two walls have replaced are within the tolerance of the segment uw;
 ///   (b) u and w are not joined by a wall and not on one line of planes;
-///   (c) the closed triangle u v w holds no other vertex of the plane's contours.
+///   (c) the closed triangle u v w holds no other vertex of the plane's contours, and uw passes by none at less
+///       than a thousandth of its distance from u and w: the face is triangulated with uw as an edge, which
+///       takes the more splits the closer it is to others.
 /// Smallest deviation first, then the one that replaces fewer, then by coordinates.
 ///
 /// *The tolerance bounds the distance between the contours, both ways.* Distance from a segment is a convex
@@ -49,6 +51,17 @@ double distance_to_segment(const Vec3& a, const Vec3& b, const Vec3& p) {
   return norm(cross(e, d)) / std::sqrt(length2);
 }
 
+constexpr double kClose = 0x1p-10;
+
+/// Whether segment ab goes past p at a thousandth of its distance from the ends, or less.
+bool grazes(const Vec3& a, const Vec3& b, const Vec3& p) {
+  const Vec3 d = b - a, e = p - a, f = p - b;
+  if (dot(e, d) <= 0 || dot(f, d) >= 0) return false;
+  const double to_ends = std::min(dot(e, e), dot(f, f));
+  const Vec3 off = cross(e, d);
+  return dot(off, off) <= kClose * kClose * to_ends * dot(d, d);
+}
+
 /// A vertex that may go. Replacing few first keeps long straight runs from growing at one end, which were
 /// quadratic.
 struct Candidate {
@@ -67,7 +80,7 @@ struct Candidate {
 /// goes.
 class Simplifier {
  public:
-  Simplifier(SectionGraph& graph, std::uint32_t plane, double tolerance);
+  Simplifier(SectionGraph& graph, std::uint32_t plane, ContourPlaces& places, double tolerance);
   void run();
 
  private:
@@ -79,21 +92,13 @@ class Simplifier {
   LatticePlane plane_;
   double tolerance_;
   ContourChains chains_;
-  std::vector<std::uint32_t> vertices_;          ///< of this plane, ascending
-  std::vector<std::uint32_t> place_;             ///< in vertices_, by vertex
+  const ContourPlaces& place_;                   ///< by vertex
+  const std::vector<std::uint32_t>& vertices_;   ///< of this plane, by place
   PointTree tree_;                               ///< of vertices_, seen along the dominant axis
   std::vector<std::uint32_t> version_;           ///< by place
   std::vector<std::vector<Candidate>> waiting_;  ///< by place of the vertex that is in the way
   std::priority_queue<Candidate, std::vector<Candidate>, std::greater<>> queue_;
 };
-
-std::vector<std::uint32_t> ends_of(const std::vector<Wall>& walls) {
-  std::vector<std::uint32_t> ends;
-  for (const Wall& w : walls) ends.insert(ends.end(), {w.a, w.b});
-  std::sort(ends.begin(), ends.end());
-  ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
-  return ends;
-}
 
 /// Rounded coordinates but the dominant one. Rounding is monotone: a point in a triangle is in the box of its
 /// corners when all are rounded.
@@ -109,18 +114,16 @@ std::vector<Vec2> flat(const LatticePlane& plane, const SectionGraph& graph,
   return points;
 }
 
-Simplifier::Simplifier(SectionGraph& graph, std::uint32_t plane, double tolerance)
+Simplifier::Simplifier(SectionGraph& graph, std::uint32_t plane, ContourPlaces& places, double tolerance)
     : graph_(graph),
       plane_(graph.planes[plane]),
       tolerance_(tolerance),
-      chains_(graph.walls[plane], graph.size()),
-      vertices_(ends_of(graph.walls[plane])),
-      place_(graph.size(), kNone),
+      chains_(graph.walls[plane], places),
+      place_(places),
+      vertices_(places.vertices()),
       tree_(flat(plane_, graph, vertices_)),
       version_(vertices_.size(), 0),
-      waiting_(vertices_.size()) {
-  for (std::uint32_t k = 0; k < vertices_.size(); ++k) place_[vertices_[k]] = k;
-}
+      waiting_(vertices_.size()) {}
 
 /// Puts v into the queue if (a) holds and it is not pinned; outdates what was said of it before.
 void Simplifier::assess(std::uint32_t v) {
@@ -138,23 +141,28 @@ void Simplifier::assess(std::uint32_t v) {
   if (near) queue_.push({deviation, chains_.replaced_without(v), v, version});
 }
 
-/// A vertex in the triangle of v and its neighbours, kNone if there is none: condition (c).
+/// A vertex in the triangle of v and its neighbours, or too close to what would take the place of v; kNone if
+/// there is none: condition (c).
 std::uint32_t Simplifier::hindrance(std::uint32_t v) const {
-  const auto [u, w] = chains_.neighbours(v);
+  auto [u, w] = chains_.neighbours(v);
+  if (u > w) std::swap(u, w);
   const LatticePoint &a = graph_.points[u], &b = graph_.points[v], &c = graph_.points[w];
   const int turn = orient2d(plane_, a, b, c);
-  if (turn == 0) return kNone;
+  const Vec3 from = real(a), to = real(c);
   const Vec2 p = flat(plane_, a), q = flat(plane_, b), r = flat(plane_, c);
-  const std::uint32_t found =
-      tree_.find({std::min({p.x, q.x, r.x}), std::min({p.y, q.y, r.y})},
-                 {std::max({p.x, q.x, r.x}), std::max({p.y, q.y, r.y})}, [&, u = u, w = w](std::uint32_t k) {
-                   const std::uint32_t x = vertices_[k];
-                   if (x == u || x == v || x == w) return false;
-                   const LatticePoint& d = graph_.points[x];
-                   return turn * orient2d(plane_, a, b, d) >= 0 && turn * orient2d(plane_, b, c, d) >= 0 &&
-                          turn * orient2d(plane_, c, a, d) >= 0;
-                 });
-  return found;
+  const double margin = kClose * norm(to - from);
+  const auto in_triangle = [&](const LatticePoint& d) {
+    return turn != 0 && turn * orient2d(plane_, a, b, d) >= 0 && turn * orient2d(plane_, b, c, d) >= 0 &&
+           turn * orient2d(plane_, c, a, d) >= 0;
+  };
+  return tree_.find({std::min({p.x, q.x, r.x}) - margin, std::min({p.y, q.y, r.y}) - margin},
+                    {std::max({p.x, q.x, r.x}) + margin, std::max({p.y, q.y, r.y}) + margin},
+                    [&, u = u, w = w](std::uint32_t k) {
+                      const std::uint32_t x = vertices_[k];
+                      if (x == u || x == v || x == w) return false;
+                      const LatticePoint& d = graph_.points[x];
+                      return in_triangle(d) || grazes(from, to, real(d));
+                    });
 }
 
 void Simplifier::remove(std::uint32_t v) {
@@ -198,7 +206,8 @@ void Simplifier::run() {
 }  // namespace
 
 void simplify_contours(SectionGraph& graph, double tolerance) {
-  for (std::uint32_t p = 0; p < graph.planes.size(); ++p) Simplifier(graph, p, tolerance).run();
+  ContourPlaces places(graph.size());
+  for (std::uint32_t p = 0; p < graph.planes.size(); ++p) Simplifier(graph, p, places, tolerance).run();
   drop_bare_vertices(graph);
 }
 

@@ -1,9 +1,11 @@
-/// First step of the section graph: what framing gave, with contour vertices that are crossings put on their lines.
+/// First step of the section graph: what framing gave, with contour vertices that are crossings put on their
+/// lines.
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
+#include "../geom/parallel.h"
 #include "../geom/plane_line.h"
 #include "section_steps.h"
 
@@ -16,29 +18,40 @@ double length(const LatticeVector& v) {
 
 Vec3 position(const LatticePoint& p) { return {p.x, p.y, p.z}; }
 
-/// Distance of a real point to a lattice plane, lattice units; rounding of about 2^-4 is far below any tolerance.
-double distance(const LatticePlane& plane, Vec3 p) {
+/// Distance of a real point to a lattice plane with a normal of that length, lattice units; rounding of about
+/// 2^-4 is far below any tolerance.
+double distance(const LatticePlane& plane, double normal_length, Vec3 p) {
   double sum = 0;
   for (std::size_t k = 0; k < 3; ++k) {
     const double x = k == 0 ? p.x : k == 1 ? p.y : p.z;
     sum += static_cast<double>(plane.normal[k]) * (x - static_cast<double>(plane.origin[k]));
   }
-  return std::abs(sum) / length(plane.normal);
+  return std::abs(sum) / normal_length;
 }
 
-/// Shortest contour edge at each vertex of one plane, lattice units.
-std::vector<double> shortest_edges(const SectionGraph& graph, std::uint32_t p) {
-  std::vector<double> shortest(graph.points.size(), INFINITY);
+/// Shortest contour edge at each of the `count` vertices from `base` on, those of plane p; lattice units.
+std::vector<double> shortest_edges(const SectionGraph& graph, std::uint32_t p, std::uint32_t base,
+                                   std::size_t count) {
+  std::vector<double> shortest(count, INFINITY);
   for (const Wall& w : graph.walls[p]) {
     const double l = norm(position(graph.points[w.a]) - position(graph.points[w.b]));
-    shortest[w.a] = std::min(shortest[w.a], l);
-    shortest[w.b] = std::min(shortest[w.b], l);
+    shortest[w.a - base] = std::min(shortest[w.a - base], l);
+    shortest[w.b - base] = std::min(shortest[w.b - base], l);
   }
   return shortest;
 }
 
-/// The point of the line of planes i, j whose dominant coordinate is that of `from`, rounded: at most sqrt(3) times as
-/// far as the nearest.
+/// The planes that meet plane i in a line. In a stack of slices there is none, and nothing to ask of a
+/// vertex.
+std::vector<std::uint32_t> planes_across(const SectionGraph& graph, std::uint32_t i) {
+  std::vector<std::uint32_t> across;
+  for (std::uint32_t j = 0; j < graph.planes.size(); ++j)
+    if (line_axis(graph.planes[i], graph.planes[j]) >= 0) across.push_back(j);
+  return across;
+}
+
+/// The point of the line of planes i, j whose dominant coordinate is that of `from`, rounded: at most sqrt(3)
+/// times as far as the nearest.
 std::optional<LatticePoint> drop_on_line(const SectionGraph& graph, LatticePointStore& store, std::uint32_t i,
                                          std::uint32_t j, const LatticePoint& from) {
   const int axis = line_axis(graph.planes[i], graph.planes[j]);
@@ -48,8 +61,8 @@ std::optional<LatticePoint> drop_on_line(const SectionGraph& graph, LatticePoint
   return point;
 }
 
-/// Where vertex v of plane i goes when it is near the planes of `near`: the common point of two of their lines if
-/// that is within reach, else the nearest point of one line.
+/// Where vertex v of plane i goes when it is near the planes of `near`: the common point of two of their
+/// lines if that is within reach, else the nearest point of one line.
 std::optional<LatticePoint> target(const SectionGraph& graph, LatticePointStore& store, std::uint32_t i,
                                    std::uint32_t v, const std::vector<std::uint32_t>& near, double reach) {
   const LatticePoint& from = graph.points[v];
@@ -79,9 +92,9 @@ SectionGraph start(const FramedSections& framed) {
   for (const FramedPlane& plane : framed.planes) graph.planes.push_back(plane.plane);
   graph.words = static_cast<std::uint32_t>((graph.planes.size() + 63) / 64);
   graph.walls.resize(graph.planes.size());
-  for (std::size_t p = 0; p < framed.planes.size(); ++p) {
+  for (std::uint32_t p = 0; p < framed.planes.size(); ++p) {
     const std::uint32_t base = graph.size();
-    for (const LatticePoint& point : framed.planes[p].vertices) graph.add(point);
+    graph.add_on_plane(p, framed.planes[p].vertices, planes_across(graph, p));
     for (const WallEdge& w : framed.planes[p].walls)
       graph.walls[p].push_back({base + w.a, base + w.b, w.contour, w.plane, w.line, false});
   }
@@ -93,51 +106,64 @@ double snapping_tolerance(const LatticePlane& plane) {
   return kSteps * std::max(length(plane.e1), length(plane.e2));
 }
 
-void join_touching(SectionGraph& graph) {
-  for (std::uint32_t p = 0; p < graph.planes.size(); ++p) {
-    std::vector<WallEnds> ends;
-    const auto touches = graph.locator(p, ends).near_touches(snapping_tolerance(graph.planes[p]));
-    for (std::size_t begin = 0, end; begin < touches.size(); begin = end) {
-      const std::uint32_t w = touches[begin][0];
-      const Wall wall = graph.walls[p][w];
-      const Vec3 from = position(graph.points[wall.a]), direction = position(graph.points[wall.b]) - from;
-      std::vector<std::pair<double, std::uint32_t>> through;  // along the wall
-      for (end = begin; end < touches.size() && touches[end][0] == w; ++end)
-        through.emplace_back(dot(position(graph.points[touches[end][1]]) - from, direction), touches[end][1]);
-      std::sort(through.begin(), through.end());
-      for (const auto& [at, v] : through) {
-        Wall rest = graph.walls[p][w];
-        graph.walls[p][w].b = v;
-        rest.a = v;
-        std::swap(graph.walls[p][w], rest);
-        graph.walls[p].push_back(rest);
-      }
+namespace {
+
+void join_touching(SectionGraph& graph, std::uint32_t p, double tolerance) {
+  std::vector<WallEnds> ends;
+  const auto touches = graph.locator(p, ends).near_touches(std::max(snapping_tolerance(graph.planes[p]), tolerance));
+  for (std::size_t begin = 0, end; begin < touches.size(); begin = end) {
+    const std::uint32_t w = touches[begin][0];
+    const Wall wall = graph.walls[p][w];
+    const Vec3 from = position(graph.points[wall.a]), direction = position(graph.points[wall.b]) - from;
+    std::vector<std::pair<double, std::uint32_t>> through;  // along the wall
+    for (end = begin; end < touches.size() && touches[end][0] == w; ++end)
+      through.emplace_back(dot(position(graph.points[touches[end][1]]) - from, direction), touches[end][1]);
+    std::sort(through.begin(), through.end());
+    for (const auto& [at, v] : through) {
+      Wall rest = graph.walls[p][w];
+      graph.walls[p][w].b = v;
+      rest.a = v;
+      std::swap(graph.walls[p][w], rest);
+      graph.walls[p].push_back(rest);
     }
-    cancel_pairs(graph.walls[p]);
   }
+  cancel_pairs(graph.walls[p]);
+}
+
+}  // namespace
+
+bool join_touching(SectionGraph& graph, double tolerance, const Context& context) {
+  return parallel_for(graph.planes.size(), context, "sections",
+                      [&](std::size_t p) { join_touching(graph, static_cast<std::uint32_t>(p), tolerance); });
 }
 
 void move_onto_lines(SectionGraph& graph, const FramedSections& framed, LatticePointStore& store,
                      double tolerance) {
-  std::uint32_t v = 0;
+  std::vector<double> lengths;
+  for (const LatticePlane& plane : graph.planes) lengths.push_back(length(plane.normal));
   std::vector<std::uint32_t> near;
+  std::uint32_t base = 0;
   for (std::uint32_t i = 0; i < graph.planes.size(); ++i) {
-    const std::vector<double> shortest = shortest_edges(graph, i);
-    for (const Vec3& input : framed.planes[i].input) {
-      const Vec3 at = framed.grid.scaled(input);
+    const std::vector<Vec3>& inputs = framed.planes[i].input;
+    const std::vector<std::uint32_t> across = planes_across(graph, i);
+    const std::vector<double> shortest = shortest_edges(graph, i, base, inputs.size());
+    for (std::uint32_t k = 0; k < inputs.size() && !across.empty(); ++k) {
+      if (shortest[k] == INFINITY) continue;
+      const std::uint32_t v = base + k;
+      const Vec3 at = framed.grid.scaled(inputs[k]);
       near.clear();
-      for (std::uint32_t j = 0; j < graph.planes.size(); ++j)
-        if (j != i && shortest[v] < INFINITY && distance(graph.planes[j], at) <= tolerance && line_axis(graph.planes[i], graph.planes[j]) >= 0)
-          near.push_back(j);
-      const bool all_exact = std::all_of(near.begin(), near.end(), [&](auto j) { return graph.sign(v, j) == 0; });
+      for (const std::uint32_t j : across)
+        if (distance(graph.planes[j], lengths[j], at) <= tolerance) near.push_back(j);
+      const bool all_exact =
+          std::all_of(near.begin(), near.end(), [&](auto j) { return graph.sign(v, j) == 0; });
       if (!near.empty() && all_exact) ++graph.statistics.on_line;
-      if (!all_exact)
-        if (const auto point = target(graph, store, i, v, near, shortest[v] / 4)) {
-          graph.move(v, *point);
-          ++graph.statistics.on_line;
-        }
-      ++v;
+      if (all_exact) continue;
+      if (const auto point = target(graph, store, i, v, near, shortest[k] / 4)) {
+        graph.move(v, *point);
+        ++graph.statistics.on_line;
+      }
     }
+    base += static_cast<std::uint32_t>(inputs.size());
   }
 }
 

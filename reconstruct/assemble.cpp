@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "../arrangement/section_steps.h"
-
 namespace crossloft {
 namespace {
 
@@ -56,8 +54,7 @@ Surface assemble_surface(const GluedSurface& glued, const Numbering& numbering, 
 }
 
 Sections assemble_sections(const FramedSections& framed, const SectionGraph& graph,
-                           const Arrangement& arrangement, std::span<const FaceTriangulation> faces,
-                           const Numbering& numbering) {
+                           std::span<const FaceTriangulation> faces, const Numbering& numbering) {
   struct Piece {
     std::uint32_t a, b;
     const Wall* wall;
@@ -67,8 +64,8 @@ Sections assemble_sections(const FramedSections& framed, const SectionGraph& gra
     for (const Wall& w : faces[f].walls)
       pieces[faces[f].plane].push_back({numbering.of_face[f][w.a], numbering.of_face[f][w.b], &w});
   for (std::size_t p = 0; p < graph.planes.size(); ++p)
-    for (const Wall& w : graph.walls[p])
-      if (section_steps::wall_location(graph, arrangement, w).dimension == 1)
+    for (std::size_t i = 0; i < graph.walls[p].size(); ++i)
+      if (const Wall& w = graph.walls[p][i]; graph.wall_locations[p][i].dimension == 1)
         pieces[p].push_back({numbering.of_graph[w.a], numbering.of_graph[w.b], &w});
   Sections sections;
   for (std::size_t p = 0; p < graph.planes.size(); ++p) {

@@ -17,7 +17,7 @@ Solid assemble_solid(std::vector<std::array<std::uint32_t, 4>>& tets, const Numb
                      const WorldGrid& grid);
 Surface assemble_surface(const GluedSurface& glued, const Numbering& numbering, const WorldGrid& grid);
 /// The sections as the solid meets them: snapped, merged, split; planes in canonical order with unit normals.
-Sections assemble_sections(const FramedSections& framed, const SectionGraph& graph, const Arrangement& arrangement,
+Sections assemble_sections(const FramedSections& framed, const SectionGraph& graph,
                            std::span<const FaceTriangulation> faces, const Numbering& numbering);
 /// Enclosed volume, summed relative to the first vertex.
 double enclosed_volume(const Surface& surface);

@@ -69,13 +69,14 @@ GroundedTable CellBuilder::fill_table() const {
   GroundedTable table(count);
   for (std::size_t f = 0; f < faces_.size(); ++f) {
     const FaceTriangulation& face = *faces_[f].triangulation;
-    const auto number = [&](std::uint32_t v) { return local(faces_[f].numbers[v]); };
+    std::vector<std::uint32_t> number;
+    for (const std::uint32_t v : faces_[f].numbers) number.push_back(local(v));
     for (std::uint32_t t = 0; t < face.triangles.size(); ++t) {
       const auto& v = face.triangles[t];
-      table.insert({number(v[0]), number(v[1]), number(v[2])}, triangle_base_[f] + t);
+      table.insert({number[v[0]], number[v[1]], number[v[2]]}, triangle_base_[f] + t);
     }
     for (const FaceEdge& e : face.edges)
-      table.insert({number(e.a), number(e.b), kNone}, static_cast<std::uint32_t>(e.kind));
+      table.insert({number[e.a], number[e.b], kNone}, static_cast<std::uint32_t>(e.kind));
   }
   return table;
 }

@@ -1,9 +1,7 @@
 #include "face_triangulation.h"
 
 #include <algorithm>
-#include <bit>
 
-#include "../arrangement/section_steps.h"
 #include "../delaunay/conform.h"
 #include "../delaunay/lattice_predicates.h"
 #include "face_split.h"
@@ -24,8 +22,9 @@ std::vector<FaceInput> face_inputs(const SectionGraph& graph, const Arrangement&
     if (at.dimension == 0) std::ranges::for_each(arrangement.faces_around(ArrVertexId{at.index}), add);
   }
   for (std::uint32_t p = 0; p < graph.planes.size(); ++p)
-    for (const Wall& wall : graph.walls[p]) {
-      const Location at = section_steps::wall_location(graph, arrangement, wall);
+    for (std::size_t w = 0; w < graph.walls[p].size(); ++w) {
+      const Wall& wall = graph.walls[p][w];
+      const Location at = graph.wall_locations[p][w];
       if (at.dimension == 2) inputs[at.index].walls.push_back(wall);
       if (at.dimension == 1)
         for (const FaceId f : arrangement.faces_around(ArrEdgeId{at.index}))
@@ -121,9 +120,10 @@ Result<Done> FaceBuilder::conform_to_walls(Delaunay2<LatticePredicates2>& tri) {
   }
   if (!conformed.failed.empty()) {
     const Wall& wall = result_.walls[conformed.failed[0]];
-    return Error{ErrorCode::internal,
-                 conformed.limit_reached ? "a contour edge needs too many splits to become a Delaunay edge"
-                                         : "a contour edge could not be made a Delaunay edge",
+    return Error{ErrorCode::too_thin,
+                 conformed.limit_reached
+                     ? "other contours come so close that an edge would need too many splits to become Delaunay"
+                     : "other contours come so close that an edge can't be split to become Delaunay",
                  {},
                  wall.line,
                  wall.source_plane,
@@ -227,10 +227,9 @@ Result<FaceTriangulation> refine_face(const SectionGraph& graph, const Arrangeme
 }
 
 std::uint32_t LineEdges::shared_planes(std::uint32_t u, std::uint32_t v) const {
-  std::uint32_t count = 0;
-  for (std::uint32_t w = 0; w < graph_->words; ++w)
-    count += static_cast<std::uint32_t>(std::popcount(graph_->zero_of(u)[w] & graph_->zero_of(v)[w]));
-  return count;
+  const auto in_face = [&](std::uint32_t x) { return graph_->locations[x].dimension == 2; };
+  if (in_face(u) || in_face(v)) return 1;
+  return graph_->common_planes(u, v);
 }
 
 void LineEdges::add(const FaceTriangulation& face) {

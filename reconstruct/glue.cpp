@@ -1,11 +1,13 @@
 #include "glue.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <numeric>
 #include <utility>
 
 #include "../delaunay/tet_mesh.h"
+#include "../geom/parallel.h"
 #include "../prune/disjoint_sets.h"
 #include "../prune/star.h"
 
@@ -44,75 +46,132 @@ Error failure(ErrorCode code, const char* message) {
   return error;
 }
 
-/// All facets by their smallest vertex: those of v are [begin[v], begin[v + 1]).
+/// Facets by their smallest vertex: those of v are [begin[v], begin[v + 1]).
 struct FacetBuckets {
   std::vector<std::size_t> begin;
   std::vector<Facet> facets;
 };
 
-FacetBuckets fill_buckets(Tets tets) {
+FacetBuckets fill_buckets(Tets tets, std::span<const std::uint32_t> facets) {
   std::uint32_t vertex_count = 0;
-  for (const auto& tet : tets)
-    vertex_count = std::max(vertex_count, *std::max_element(tet.begin(), tet.end()) + 1);
+  for (const std::uint32_t f : facets)
+    vertex_count = std::max(vertex_count, rotated(outward(tets, f))[0] + 1);
   FacetBuckets buckets;
   buckets.begin.assign(std::size_t{vertex_count} + 1, 0);
-  for (std::uint32_t f = 0; f < 4 * tets.size(); ++f)
-    ++buckets.begin[rotated(outward(tets, f))[0] + std::size_t{1}];
+  for (const std::uint32_t f : facets) ++buckets.begin[rotated(outward(tets, f))[0] + std::size_t{1}];
   std::partial_sum(buckets.begin.begin(), buckets.begin.end(), buckets.begin.begin());
-  buckets.facets.resize(4 * tets.size());
+  buckets.facets.resize(facets.size());
   std::vector<std::size_t> next(buckets.begin);
-  for (std::uint32_t f = 0; f < 4 * tets.size(); ++f) {
+  for (const std::uint32_t f : facets) {
     const Triple t = rotated(outward(tets, f));
     buckets.facets[next[t[0]]++] = {std::min(t[1], t[2]), std::max(t[1], t[2]), f, t[1] < t[2]};
   }
   return buckets;
 }
 
-/// partner[f] = the facet glued to facet f, kNone on the boundary.
-Result<std::vector<std::uint32_t>> match_facets(Tets tets) {
-  FacetBuckets buckets = fill_buckets(tets);
-  std::vector<std::uint32_t> partner(4 * tets.size(), kNone);
-  for (std::size_t v = 0; v + 1 < buckets.begin.size(); ++v) {
-    const std::span bucket(buckets.facets.data() + buckets.begin[v], buckets.begin[v + 1] - buckets.begin[v]);
-    std::sort(bucket.begin(), bucket.end());
-    for (std::size_t i = 0; i + 1 < bucket.size(); ++i) {
-      const Facet& p = bucket[i];
-      const Facet& q = bucket[i + 1];
-      if (!p.same_vertices(q)) continue;
-      if (p.even == q.even || partner[p.number] != kNone) {
-        return failure(ErrorCode::internal, "tetrahedra overlap: they can't be glued");
-      }
-      partner[p.number] = q.number;
-      partner[q.number] = p.number;
-    }
-  }
-  return partner;
+/// Tetrahedra that are worked on together, one block a task: near each other, as they come cell by cell.
+constexpr std::uint32_t kBlock = 1U << 13;
+
+/// Calls work(first, last) for each block of tetrahedra.
+template <class Work>
+bool for_blocks(std::size_t tets, const Context& context, Work&& work) {
+  return parallel_for((tets + kBlock - 1) / kBlock, context, "gluing", [&](std::size_t b) {
+    work(static_cast<std::uint32_t>(b * kBlock),
+         static_cast<std::uint32_t>(std::min(tets, (b + 1) * kBlock)));
+  });
 }
 
-/// The boundary: triangles with the smallest vertex first, sorted, and the facet of each.
-struct Boundary {
-  std::vector<Triple> triangles;
-  std::vector<std::uint32_t> facets;
-  std::vector<std::uint32_t> triangle_of;  ///< by facet, kNone inside
+/// partner[f] = the facet glued to facet f, kNone on the boundary.
+///
+/// Most facets have their partner in the same block: a small table of its facets, which stays in the cache,
+/// finds those. What is left over is sorted.
+class FacetMatcher {
+ public:
+  explicit FacetMatcher(Tets tets) : tets_(tets), partner_(4 * tets.size(), kNone) {}
+
+  Result<std::vector<std::uint32_t>> run(const Context& context) {
+    const auto work = [&](std::uint32_t first, std::uint32_t last) { match_block(first, last); };
+    if (!for_blocks(tets_.size(), context, work)) return failure(ErrorCode::cancelled, "cancelled");
+    match_rest();
+    if (overlap_) return failure(ErrorCode::internal, "tetrahedra overlap: they can't be glued");
+    return std::move(partner_);
+  }
+
+ private:
+  static constexpr std::uint32_t kSlots = 8 * kBlock;  ///< of the table, half of them used at most
+
+  void match(std::uint32_t p, std::uint32_t q, bool same_side) {
+    if (same_side || partner_[p] != kNone) overlap_ = true;
+    partner_[p] = q;
+    partner_[q] = p;
+  }
+
+  void match_block(std::uint32_t first, std::uint32_t last) {
+    std::vector<std::uint32_t> table(kSlots, kNone);  // facets by hash
+    for (std::uint32_t f = 4 * first; f < 4 * last; ++f) {
+      const Triple t = rotated(outward(tets_, f));
+      std::uint32_t slot = slot_for(t);
+      while (table[slot] != kNone && !same_vertices(table[slot], t)) slot = (slot + 1) % kSlots;
+      if (table[slot] == kNone)
+        table[slot] = f;
+      else
+        match(table[slot], f, rotated(outward(tets_, table[slot])) == t);
+    }
+  }
+
+  static std::uint32_t slot_for(const Triple& t) {
+    const std::uint64_t mixed =
+        (std::uint64_t{t[0]} * 0x9E3779B97F4A7C15U) ^ (std::uint64_t{t[1]} + t[2]) * 0xC2B2AE3D27D4EB4FU;
+    return static_cast<std::uint32_t>(mixed >> 40) % kSlots;
+  }
+
+  /// `t` with the smallest vertex first.
+  bool same_vertices(std::uint32_t facet, const Triple& t) const {
+    const Triple u = rotated(outward(tets_, facet));
+    return u[0] == t[0] && std::minmax(u[1], u[2]) == std::minmax(t[1], t[2]);
+  }
+
+  void match_rest() {
+    std::vector<std::uint32_t> rest;
+    for (std::uint32_t f = 0; f < partner_.size(); ++f)
+      if (partner_[f] == kNone) rest.push_back(f);
+    FacetBuckets buckets = fill_buckets(tets_, rest);
+    for (std::size_t v = 0; v + 1 < buckets.begin.size(); ++v) {
+      const std::span bucket(buckets.facets.data() + buckets.begin[v],
+                             buckets.begin[v + 1] - buckets.begin[v]);
+      std::sort(bucket.begin(), bucket.end());
+      for (std::size_t i = 0; i + 1 < bucket.size(); ++i)
+        if (bucket[i].same_vertices(bucket[i + 1]))
+          match(bucket[i].number, bucket[i + 1].number, bucket[i].even == bucket[i + 1].even);
+    }
+  }
+
+  Tets tets_;
+  std::vector<std::uint32_t> partner_;
+  std::atomic<bool> overlap_ = false;
 };
 
-Boundary collect_boundary(Tets tets, const std::vector<std::uint32_t>& partner) {
+/// What `partner` says of a boundary facet, once there are triangles: its triangle, marked.
+constexpr std::uint32_t kBoundaryMark = 1U << 31;
+bool is_boundary(std::uint32_t partner) { return (partner & kBoundaryMark) != 0; }
+
+/// The boundary's triangles with the smallest vertex first, sorted.
+std::vector<Triple> collect_boundary(Tets tets, std::vector<std::uint32_t>& partner) {
   std::vector<std::pair<Triple, std::uint32_t>> found;
   for (std::uint32_t f = 0; f < partner.size(); ++f) {
     if (partner[f] == kNone) found.emplace_back(rotated(outward(tets, f)), f);
   }
   std::sort(found.begin(), found.end());
-  Boundary boundary;
-  boundary.triangle_of.assign(partner.size(), kNone);
+  std::vector<Triple> triangles;
+  triangles.reserve(found.size());
   for (const auto& [triangle, facet] : found) {
-    boundary.triangle_of[facet] = static_cast<std::uint32_t>(boundary.triangles.size());
-    boundary.triangles.push_back(triangle);
-    boundary.facets.push_back(facet);
+    partner[facet] = kBoundaryMark | static_cast<std::uint32_t>(triangles.size());
+    triangles.push_back(triangle);
   }
-  return boundary;
+  return triangles;
 }
 
-/// The boundary facet at the other end of the solid wedge at edge (a, b): from facet to facet around the
+/// The boundary triangle at the other end of the solid wedge at edge (a, b): from facet to facet around the
 /// edge, through the tetrahedra between them.
 std::uint32_t across_wedge(Tets tets, const std::vector<std::uint32_t>& partner, std::uint32_t facet,
                            std::uint32_t a, std::uint32_t b) {
@@ -123,7 +182,7 @@ std::uint32_t across_wedge(Tets tets, const std::vector<std::uint32_t>& partner,
     unsigned slot = 0;
     while ((other >> slot & 1U) == 0) ++slot;
     facet = facet / 4 * 4 + slot;
-    if (partner[facet] == kNone) return facet;
+    if (is_boundary(partner[facet])) return partner[facet] & ~kBoundaryMark;
     facet = partner[facet];
   }
 }
@@ -132,18 +191,23 @@ std::uint32_t across_wedge(Tets tets, const std::vector<std::uint32_t>& partner,
 /// corner i.
 std::uint32_t next_corner(std::uint32_t corner) { return corner % 3 == 2 ? corner - 2 : corner + 1; }
 
-/// mate[s] = the side paired with side s.
+/// mate[s] = the side paired with side s. In the order of the tetrahedra: walking around edges in the order
+/// of the triangles would jump from cell to cell.
 std::vector<std::uint32_t> pair_sides(Tets tets, const std::vector<std::uint32_t>& partner,
-                                      const Boundary& boundary) {
-  std::vector<std::uint32_t> mate(3 * boundary.triangles.size());
-  for (std::uint32_t s = 0; s < mate.size(); ++s) {
-    const Triple& triangle = boundary.triangles[s / 3];
-    const std::uint32_t a = triangle[s % 3];
-    const std::uint32_t b = triangle[(s + 1) % 3];
-    const std::uint32_t t = boundary.triangle_of[across_wedge(tets, partner, boundary.facets[s / 3], a, b)];
-    const Triple& met = boundary.triangles[t];
-    mate[s] = 3 * t + static_cast<std::uint32_t>(std::find(met.begin(), met.end(), b) - met.begin());
-  }
+                                      std::span<const Triple> triangles, const Context& context) {
+  std::vector<std::uint32_t> mate(3 * triangles.size());
+  const auto pair = [&](std::uint32_t facet, std::uint32_t side) {
+    const Triple& triangle = triangles[side / 3];
+    const std::uint32_t a = triangle[side % 3], b = triangle[(side + 1) % 3];
+    const std::uint32_t other = across_wedge(tets, partner, facet, a, b);
+    const Triple& met = triangles[other];
+    mate[side] = 3 * other + static_cast<std::uint32_t>(std::find(met.begin(), met.end(), b) - met.begin());
+  };
+  for_blocks(tets.size(), context, [&](std::uint32_t first, std::uint32_t last) {
+    for (std::uint32_t f = 4 * first; f < 4 * last; ++f)
+      for (std::uint32_t i = 0; i < 3 && is_boundary(partner[f]); ++i)
+        pair(f, 3 * (partner[f] & ~kBoundaryMark) + i);
+  });
   return mate;
 }
 
@@ -157,8 +221,8 @@ struct Side {
 /// Cuts the boundary apart; see the header for the rules.
 class Cutter {
  public:
-  Cutter(const Boundary& boundary, const std::vector<std::uint32_t>& mate)
-      : triangles_(boundary.triangles), mate_(mate), midpoint_(mate.size(), kNone), copy_(mate.size()) {}
+  Cutter(const std::vector<Triple>& triangles, const std::vector<std::uint32_t>& mate)
+      : triangles_(triangles), mate_(mate), midpoint_(mate.size(), kNone), copy_(mate.size()) {}
 
   GluedSurface run() {
     count_pinched_edges();
@@ -309,13 +373,15 @@ bool has_paired_sides(std::uint32_t vertex_count, std::span<const Triple> triang
 
 }  // namespace
 
-Result<GluedSurface> glue(std::span<const std::array<std::uint32_t, 4>> tets) {
-  if (tets.size() >= std::size_t{1} << 30) return failure(ErrorCode::too_large, "more than 2^30 tetrahedra");
-  const auto partner = match_facets(tets);
+Result<GluedSurface> glue(std::span<const std::array<std::uint32_t, 4>> tets, const Context& context) {
+  if (tets.size() >= kBoundaryMark / 4) return failure(ErrorCode::too_large, "2^29 tetrahedra or more");
+  auto partner = FacetMatcher(tets).run(context);
   if (!partner) return partner.error();
-  const Boundary boundary = collect_boundary(tets, *partner);
-  const auto mate = pair_sides(tets, *partner, boundary);
-  return Cutter(boundary, mate).run();
+  const std::vector<Triple> triangles = collect_boundary(tets, *partner);
+  const auto mate = pair_sides(tets, *partner, triangles, context);
+  if (context.cancelled()) return failure(ErrorCode::cancelled, "cancelled");
+  *partner = {};
+  return Cutter(triangles, mate).run();
 }
 
 bool verify_surface(std::uint32_t vertex_count, std::span<const std::array<std::uint32_t, 3>> triangles) {

@@ -13,6 +13,7 @@
 #include <span>
 #include <vector>
 
+#include "../geom/context.h"
 #include "../geom/ids.h"
 #include "../geom/result.h"
 
@@ -40,9 +41,11 @@ struct GluedSurface {
 /// Glues. Tetrahedra are given by input vertices a, b, c, d with det(b-a, c-a, d-a) > 0 and match by vertex
 /// triples; those without a partner are the boundary. The result depends on the set of tetrahedra only, not
 /// on their order nor on which even permutation of its vertices each is given by. Errors: internal, if three
-/// facets share a triple or two have the same side (overlapping tetrahedra), too_large beyond 2^30
-/// tetrahedra. O(n log n + largest vertex), arrays only.
-Result<GluedSurface> glue(std::span<const std::array<std::uint32_t, 4>> tets);
+/// facets that are near in the list or not yet matched share a triple, or two have the same side (overlapping
+/// tetrahedra); too_large from 2^29 tetrahedra on. O(n log n + largest vertex), arrays only; fast where
+/// neighbours are near each other in the list.
+/// The context lends threads.
+Result<GluedSurface> glue(std::span<const std::array<std::uint32_t, 4>> tets, const Context& context = {});
 
 /// True iff the triangles form a closed oriented 2-manifold on exactly the vertices 0..vertex_count-1: three
 /// different vertices each, every directed edge once and its reverse once, one cycle of triangles around each
