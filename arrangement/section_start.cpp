@@ -1,8 +1,10 @@
-/// First step of the section graph: what framing gave, with contour vertices that are crossings put on their lines.
+/// First step of the section graph: what framing gave, with contour vertices that are crossings put on their
+/// lines.
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <tuple>
 
 #include "../geom/plane_line.h"
 #include "section_steps.h"
@@ -16,7 +18,8 @@ double length(const LatticeVector& v) {
 
 Vec3 position(const LatticePoint& p) { return {p.x, p.y, p.z}; }
 
-/// Distance of a real point to a lattice plane, lattice units; rounding of about 2^-4 is far below any tolerance.
+/// Distance of a real point to a lattice plane, lattice units; rounding of about 2^-4 is far below any
+/// tolerance.
 double distance(const LatticePlane& plane, Vec3 p) {
   double sum = 0;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -37,8 +40,8 @@ std::vector<double> shortest_edges(const SectionGraph& graph, std::uint32_t p) {
   return shortest;
 }
 
-/// The point of the line of planes i, j whose dominant coordinate is that of `from`, rounded: at most sqrt(3) times as
-/// far as the nearest.
+/// The point of the line of planes i, j whose dominant coordinate is that of `from`, rounded: at most sqrt(3)
+/// times as far as the nearest.
 std::optional<LatticePoint> drop_on_line(const SectionGraph& graph, LatticePointStore& store, std::uint32_t i,
                                          std::uint32_t j, const LatticePoint& from) {
   const int axis = line_axis(graph.planes[i], graph.planes[j]);
@@ -48,8 +51,8 @@ std::optional<LatticePoint> drop_on_line(const SectionGraph& graph, LatticePoint
   return point;
 }
 
-/// Where vertex v of plane i goes when it is near the planes of `near`: the common point of two of their lines if
-/// that is within reach, else the nearest point of one line.
+/// Where vertex v of plane i goes when it is near the planes of `near`: the common point of two of their
+/// lines if that is within reach, else the nearest point of one line.
 std::optional<LatticePoint> target(const SectionGraph& graph, LatticePointStore& store, std::uint32_t i,
                                    std::uint32_t v, const std::vector<std::uint32_t>& near, double reach) {
   const LatticePoint& from = graph.points[v];
@@ -70,6 +73,44 @@ std::optional<LatticePoint> target(const SectionGraph& graph, LatticePointStore&
     if (way <= best_way && (!best || way < best_way)) best = point, best_way = way;
   }
   return best;
+}
+
+/// A vertex near the interior of a wall of the same plane.
+struct Touch {
+  std::uint32_t wall = 0, vertex = 0;
+  double along = 0, distance = 0;  ///< along the wall, times its length; from it, lattice units
+};
+
+/// By wall, those of one wall in its direction. Beyond `snapping` only as far as a quarter of the shortest
+/// edge at the vertex and of the wall: what is small itself keeps its shape.
+std::vector<Touch> find_touches(const SectionGraph& graph, std::uint32_t p, double snapping,
+                                double tolerance) {
+  std::vector<WallEnds> ends;
+  const std::vector<double> shortest = shortest_edges(graph, p);
+  std::vector<Touch> touches;
+  for (const auto& [w, v] : graph.locator(p, ends).near_touches(tolerance)) {
+    const Wall& wall = graph.walls[p][w];
+    const Vec3 from = position(graph.points[wall.a]), way = position(graph.points[wall.b]) - from,
+               to = position(graph.points[v]) - from;
+    const Touch touch{w, v, dot(to, way), norm(cross(to, way)) / norm(way)};
+    if (touch.distance <= std::max(snapping, std::min(shortest[v], norm(way)) / 4)) touches.push_back(touch);
+  }
+  std::sort(touches.begin(), touches.end(), [](const Touch& s, const Touch& t) {
+    return std::tie(s.wall, s.along, s.vertex) < std::tie(t.wall, t.along, t.vertex);
+  });
+  return touches;
+}
+
+/// REQUIRES: touches ordered as find_touches() does.
+void lead_through(SectionGraph& graph, std::uint32_t p, const std::vector<Touch>& touches) {
+  for (const Touch& touch : touches) {
+    Wall rest = graph.walls[p][touch.wall];
+    graph.walls[p][touch.wall].b = touch.vertex;
+    rest.a = touch.vertex;
+    std::swap(graph.walls[p][touch.wall], rest);
+    graph.walls[p].push_back(rest);
+  }
+  cancel_pairs(graph.walls[p]);
 }
 
 }  // namespace
@@ -96,24 +137,16 @@ double snapping_tolerance(const LatticePlane& plane) {
 void join_touching(SectionGraph& graph, double tolerance) {
   for (std::uint32_t p = 0; p < graph.planes.size(); ++p) {
     std::vector<WallEnds> ends;
-    const auto touches = graph.locator(p, ends).near_touches(std::max(snapping_tolerance(graph.planes[p]), tolerance));
-    for (std::size_t begin = 0, end; begin < touches.size(); begin = end) {
-      const std::uint32_t w = touches[begin][0];
-      const Wall wall = graph.walls[p][w];
-      const Vec3 from = position(graph.points[wall.a]), direction = position(graph.points[wall.b]) - from;
-      std::vector<std::pair<double, std::uint32_t>> through;  // along the wall
-      for (end = begin; end < touches.size() && touches[end][0] == w; ++end)
-        through.emplace_back(dot(position(graph.points[touches[end][1]]) - from, direction), touches[end][1]);
-      std::sort(through.begin(), through.end());
-      for (const auto& [at, v] : through) {
-        Wall rest = graph.walls[p][w];
-        graph.walls[p][w].b = v;
-        rest.a = v;
-        std::swap(graph.walls[p][w], rest);
-        graph.walls[p].push_back(rest);
-      }
-    }
-    cancel_pairs(graph.walls[p]);
+    const double snapping = snapping_tolerance(graph.planes[p]);
+    const std::vector<Touch> touches = find_touches(graph, p, snapping, std::max(snapping, tolerance));
+    const std::vector<Wall> before = graph.walls[p];
+    lead_through(graph, p, touches);
+    const bool all_near =
+        std::all_of(touches.begin(), touches.end(), [&](const Touch& t) { return t.distance <= snapping; });
+    if (all_near || graph.locator(p, ends).conflicts().empty()) continue;
+    // Something finer lay between: then only what rounding has parted is joined.
+    graph.walls[p] = before;
+    lead_through(graph, p, find_touches(graph, p, snapping, snapping));
   }
 }
 
@@ -127,9 +160,11 @@ void move_onto_lines(SectionGraph& graph, const FramedSections& framed, LatticeP
       const Vec3 at = framed.grid.scaled(input);
       near.clear();
       for (std::uint32_t j = 0; j < graph.planes.size(); ++j)
-        if (j != i && shortest[v] < INFINITY && distance(graph.planes[j], at) <= tolerance && line_axis(graph.planes[i], graph.planes[j]) >= 0)
+        if (j != i && shortest[v] < INFINITY && distance(graph.planes[j], at) <= tolerance &&
+            line_axis(graph.planes[i], graph.planes[j]) >= 0)
           near.push_back(j);
-      const bool all_exact = std::all_of(near.begin(), near.end(), [&](auto j) { return graph.sign(v, j) == 0; });
+      const bool all_exact =
+          std::all_of(near.begin(), near.end(), [&](auto j) { return graph.sign(v, j) == 0; });
       if (!near.empty() && all_exact) ++graph.statistics.on_line;
       if (!all_exact)
         if (const auto point = target(graph, store, i, v, near, shortest[v] / 4)) {
