@@ -191,6 +191,12 @@ void add_reconstruct(CLI::App& program, ExitCode& outcome) {
                    "diagonal, 0: none; the solid then meets the sections of --dump-sections")
       ->capture_default_str()
       ->check(CLI::Range(0.0, 1.0));
+  command
+      ->add_option("--thicken", a.options.thicken,
+                   "give section regions that nothing faces a plate of solid no thicker than this; a fraction of "
+                   "the diagonal, 0: they are left out")
+      ->capture_default_str()
+      ->check(CLI::Range(0.0, 1.0));
   command->add_flag("!--keep-touching", a.options.separate,
                     "leave vertices that the surface has twice where it touches itself in one place");
   command->add_option("--report", a.report, "also a report (docs/report.md)")->check(extension_in({".json"}));

@@ -92,6 +92,7 @@ Json to_json(const Options& o) {
           {"plane_tolerance", o.plane_tolerance},
           {"on_tolerance", o.on_tolerance},
           {"simplify", o.simplify},
+          {"thicken", o.thicken},
           {"separate", o.separate}};
 }
 
@@ -136,6 +137,8 @@ Json result_part(const Report& r) {
           {"volume", r.volume},
           {"flat_area", r.flat_area},
           {"flat_regions", r.flat_regions},
+          {"thickened_regions", r.thickened_regions},
+          {"thickness", r.thickness},
           {"pinched_vertices", r.pinched_vertices},
           {"pinched_edges", r.pinched_edges},
           {"split_edges", r.split_edges},

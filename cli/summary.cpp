@@ -35,6 +35,8 @@ void print_summary(Terminal& terminal, const Report& report) {
   print_topology(terminal, report.topology);
   terminal.print("flat         %u regions, area %.6g of %.6g\n", report.flat_regions, report.flat_area,
                  report.section_area);
+  if (report.thickened_regions != 0)
+    terminal.print("thickened    %u flat regions, by up to %.3g\n", report.thickened_regions, report.thickness);
   terminal.print("pinched      %u vertices, %u edges; %u copies moved apart, %u left touching\n",
                  report.pinched_vertices, report.pinched_edges, report.separated_copies,
                  report.touching_copies);

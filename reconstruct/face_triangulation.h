@@ -30,6 +30,11 @@ struct FaceTriangulation {
   std::vector<Wall> walls;      ///< contour pieces inside the face, local ends
   std::array<std::vector<std::uint8_t>, 2> covered;  ///< by triangle: 1 if a kept tetrahedron of the cell on the
                                                      ///< negative / positive side stands on it
+
+  /// Inside the section, and nothing stands on it. REQUIRES: `covered` filled by all cells.
+  bool is_flat(std::size_t triangle) const {
+    return internal[triangle] != 0 && covered[0][triangle] == 0 && covered[1][triangle] == 0;
+  }
 };
 
 /// What the triangulation of a face is made from.

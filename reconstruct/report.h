@@ -95,6 +95,8 @@ struct Report {
 
   double section_area = 0, flat_area = 0;
   std::uint32_t flat_regions = 0;     ///< connected section regions bare on both sides
+  std::uint32_t thickened_regions = 0;  ///< section regions that were bare and got a plate for Options::thicken
+  double thickness = 0;               ///< of the thickest plate
   std::uint32_t pinched_vertices = 0, pinched_edges = 0, split_edges = 0;
   std::uint32_t vertex_copies = 0;    ///< vertices of the surface beyond one a point
   std::uint32_t separated_copies = 0; ///< copies that moved away from the others
