@@ -197,6 +197,10 @@ void add_reconstruct(CLI::App& program, ExitCode& outcome) {
                    "the diagonal, 0: they are left out")
       ->capture_default_str()
       ->check(CLI::Range(0.0, 1.0));
+  command
+      ->add_option("--separate", a.options.separation, "x")
+      ->capture_default_str()
+      ->check(CLI::Range(0.0, 1.0));
   command->add_flag("!--keep-touching", a.options.separate,
                     "leave vertices that the surface has twice where it touches itself in one place");
   command->add_option("--report", a.report, "also a report (docs/report.md)")->check(extension_in({".json"}));

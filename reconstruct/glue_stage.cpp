@@ -3,6 +3,7 @@
 #include "pipeline.h"
 
 #include "assemble.h"
+#include "contacts.h"
 #include "flats.h"
 #include "section_confinement.h"
 #include "self_check.h"
@@ -50,6 +51,22 @@ void Pipeline::separate(const GluedSurface& glued) {
   report.separated_copies = separation.separated;
   report.touching_copies = separation.touching;
   report.separation = separation.largest;
+  if (options_.separation == 0) return;
+  struct Anywhere : Confinement {
+    bool may_move(const Umbrella&) const override { return true; }
+    bool admit(const Umbrella&, Vec3&) const override { return true; }
+  };
+  const Separation s2 = separate_copies(result_.surface, glued.vertices, Anywhere{}, {options_.separation*framed_.diagonal, 8, 8});
+  report.separated_copies = s2.separated;
+  report.touching_copies = s2.touching;
+  report.separation = s2.largest;
+  const auto c = find_contacts(result_.surface);
+  warn("contacts " + std::to_string(c.size()));
+  for (std::size_t i = 0; i < c.size() && i < 5; ++i) {
+    std::string line;
+    for (auto t : c[i]) for (auto v : result_.surface.triangles[t]) { const auto& o = glued.vertices[v]; line += " " + std::to_string(o.a) + (o.is_midpoint() ? "m" : "") + "." + std::to_string(v); }
+    warn(line);
+  }
 }
 
 /// Section and flat area, plane by plane.

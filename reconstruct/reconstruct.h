@@ -23,6 +23,7 @@ struct Options {
   double on_tolerance = 1e-9;     ///< a contour vertex this near another plane is a crossing already
   double simplify = 0;            ///< contours get fewer vertices and move no further than this; 0: they stay as they are
   double thicken = 0;             ///< flat section regions get a plate of solid no thicker than this; 0: they stay out
+  double separation = 0;
   bool separate = true;           ///< move copies of pinched vertices apart where no section changes
 };
 

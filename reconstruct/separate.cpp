@@ -52,8 +52,13 @@ struct Lists {
 
 class Separator {
  public:
-  Separator(Surface& surface, std::span<const SurfaceVertex> origins, const Confinement& confinement)
-      : surface_(surface), points_(surface.points), origins_(origins), confinement_(confinement) {}
+  Separator(Surface& surface, std::span<const SurfaceVertex> origins, const Confinement& confinement,
+            const SeparationEffort& effort)
+      : surface_(surface),
+        points_(surface.points),
+        origins_(origins),
+        confinement_(confinement),
+        effort_(effort) {}
 
   Separation run() {
     find_copies();
@@ -61,7 +66,10 @@ class Separator {
     find_umbrellas();
     for (std::size_t k = 0; k < copies_.size(); ++k) reach_.push_back(reach(k));
     find_neighbours();
-    for (std::size_t k = 0; k < copies_.size(); ++k) move(k);
+    moved_.assign(copies_.size(), 0);
+    for (std::size_t k = 0; k < copies_.size(); ++k) move(k, direction(k));
+    bool some = true;
+    for (int round = 1; round < effort_.rounds && some; ++round) some = move_touching();
     count_touching();
     return result_;
   }
@@ -108,7 +116,7 @@ class Separator {
     double shortest = Bounds::kFar;
     for (const std::uint32_t t : umbrellas_.of(k))
       shortest = std::min(shortest, norm(points_[spokes(t, copies_[k])[0]] - points_[copies_[k]]));
-    return kStep * shortest;
+    return std::min(kStep * shortest, effort_.longest);
   }
 
   double reach_of(std::uint32_t v) const { return number_[v] == kNone ? 0 : reach_[number_[v]]; }
@@ -184,21 +192,62 @@ class Separator {
     return best;
   }
 
-  void move(std::size_t k) {
-    if (reach_[k] == 0) return;
+  /// False if the way is not free at any step.
+  bool move(std::size_t k, const Vec3& d) {
+    if (reach_[k] == 0) return false;
     const Vec3 from = points_[copies_[k]];
-    const Vec3 d = direction(k);
     const Bounds allowed = room(k);
     double step = reach_[k];
-    for (int i = 0; i <= kHalvings; ++i, step *= 0.5) {
+    for (int i = 0; i <= effort_.halvings; ++i, step *= 0.5) {
       Vec3 to = from + step * d;
       if (!is_finite(to) || !confinement_.admit(umbrella(k), to)) continue;
       if (to == from || !overlap(allowed, {to, to}) || !is_free(k, to)) continue;
       points_[copies_[k]] = to;
-      ++result_.separated;
+      result_.separated += moved_[k] == 0 ? 1U : 0U;
+      moved_[k] = 1;
       result_.largest = std::max(result_.largest, norm(to - from));
-      return;
+      return true;
     }
+    return false;
+  }
+
+  /// Other copies at its place now.
+  bool touches(std::size_t k) const {
+    const auto touching = [&](std::size_t i) {
+      return i < copies_.size() && same_origin(copies_[i], copies_[k]) && points_[copies_[i]] == points_[copies_[k]];
+    };
+    for (std::size_t i = k; i-- > 0 && same_origin(copies_[i], copies_[k]);)
+      if (touching(i)) return true;
+    for (std::size_t i = k + 1; i < copies_.size() && same_origin(copies_[i], copies_[k]); ++i)
+      if (touching(i)) return true;
+    return false;
+  }
+
+  /// Those still touching, along other directions; false if none moved.
+  bool move_touching() {
+    bool some = false;
+    for (std::size_t k = 0; k < copies_.size(); ++k) {
+      if (moved_[k] != 0 || !touches(k)) continue;
+      for (const Vec3& d : directions(k))
+        if (move(k, d)) {
+          some = true;
+          break;
+        }
+    }
+    return some;
+  }
+
+  /// Into the cone, against it, along the normals' mean, to the 26 neighbours of a grid point.
+  std::vector<Vec3> directions(std::size_t k) const {
+    const Vec3 d = direction(k);
+    std::vector<Vec3> list{d, -d};
+    for (int x = -1; x < 2; ++x)
+      for (int y = -1; y < 2; ++y)
+        for (int z = -1; z < 2; ++z) {
+          const Vec3 v{double(x), double(y), double(z)};
+          if (norm(v) > 0) list.push_back(1 / norm(v) * v);
+        }
+    return list;
   }
 
   /// What the umbrella sweeps on the way to `to`, a tetrahedron for each triangle: (old place, new place, a,
@@ -254,6 +303,8 @@ class Separator {
   std::vector<Vec3>& points_;
   std::span<const SurfaceVertex> origins_;
   const Confinement& confinement_;
+  const SeparationEffort& effort_;
+  std::vector<std::uint8_t> moved_;    ///< by copy
   std::vector<std::uint32_t> number_;  ///< by vertex: its place in copies_, kNone if it has no other copy
   std::vector<std::uint32_t> copies_;  ///< ascending
   Lists umbrellas_;                    ///< by copy
@@ -265,8 +316,8 @@ class Separator {
 }  // namespace
 
 Separation separate_copies(Surface& surface, std::span<const SurfaceVertex> origins,
-                           const Confinement& confinement) {
-  return Separator(surface, origins, confinement).run();
+                           const Confinement& confinement, const SeparationEffort& effort) {
+  return Separator(surface, origins, confinement, effort).run();
 }
 
 }  // namespace crossloft

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <span>
 
+#include "../geom/bounds.h"
 #include "glue.h"
 #include "surface.h"
 
@@ -29,6 +30,13 @@ class Confinement {
   virtual bool admit(const Umbrella& umbrella, Vec3& place) const = 0;
 };
 
+/// How far and how hard copies are moved.
+struct SeparationEffort {
+  double longest = Bounds::kFar;  ///< no copy moves further from its place
+  int halvings = 4;               ///< of the step where the way is not free
+  int rounds = 1;                 ///< from the second on those still touching try other directions
+};
+
 struct Separation {
   std::uint32_t separated = 0;  ///< copies that moved
   std::uint32_t touching = 0;   ///< copies left beyond one a place; before the moves: GluedSurface::copies
@@ -47,6 +55,6 @@ struct Separation {
 /// `origins` are those of the surface's points, copies of one point side by side. Expected O(n log m) for n
 /// triangles and m copies that may move. Source: the choice and the tests are our own.
 Separation separate_copies(Surface& surface, std::span<const SurfaceVertex> origins,
-                           const Confinement& confinement);
+                           const Confinement& confinement, const SeparationEffort& effort = {});
 
 }  // namespace crossloft
