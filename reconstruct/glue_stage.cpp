@@ -5,6 +5,7 @@
 #include "assemble.h"
 #include "contacts.h"
 #include "flats.h"
+#include "mend.h"
 #include "section_confinement.h"
 #include "self_check.h"
 
@@ -27,6 +28,7 @@ Result<Done> Pipeline::glue_cells() {
   if (observer_) observer_->on_solid(tets_, numbering_);
   Report& report = result_.report;
   report.volume = enclosed_volume(result_.surface);
+  mend(*glued);
   report.pinched_vertices = glued->pinched_vertices;
   report.pinched_edges = glued->pinched_edges;
   report.split_edges = glued->split_edges;
@@ -39,6 +41,27 @@ Result<Done> Pipeline::glue_cells() {
   separate(*glued);
   report.seconds.separating = watch_.lap();
   return Done{};
+}
+
+/// Vertices whose coordinates are not exact: points of lines, midpoints, and all where the grid is finer than doubles.
+std::vector<std::uint8_t> Pipeline::rounded_vertices(const GluedSurface& glued) const {
+  std::vector<std::uint8_t> rounded;
+  for (const SurfaceVertex& v : glued.vertices) {
+    const bool exact = framed_.grid.exact() && !v.is_midpoint() && numbering_.points[v.a].is_explicit();
+    rounded.push_back(exact ? 0 : 1);
+  }
+  return rounded;
+}
+
+void Pipeline::mend(const GluedSurface& glued) {
+  Report& report = result_.report;
+  const Mending mending = mend_crossings(result_.surface, glued.vertices, rounded_vertices(glued));
+  report.crossing_pairs = mending.found;
+  report.crossing_pairs_left = mending.left;
+  report.mended_vertices = mending.moved;
+  report.mending = mending.largest;
+  if (mending.left != 0)
+    warn(std::to_string(mending.left) + " pairs of triangles cross after rounding and could not be mended");
 }
 
 /// Moves vertices of the surface alone: the solid keeps its points, and the report its volume.

@@ -119,6 +119,8 @@ class Pipeline {
   Result<CellBranching> branch(CellId id, CellState& state);
   void finish_cells();
 
+  std::vector<std::uint8_t> rounded_vertices(const GluedSurface& glued) const;
+  void mend(const GluedSurface& glued);
   void separate(const GluedSurface& glued);
   void report_planes();
 

@@ -8,6 +8,7 @@
 #include "../geom/box_tree.h"
 #include "../geom/predicates.h"
 #include "../geom/triangle_meeting.h"
+#include "lists.h"
 
 namespace crossloft {
 namespace {
@@ -30,25 +31,6 @@ bool holds(const std::array<Vec3, 4>& t, const Vec3& p) {
 bool holds_one(const std::array<Vec3, 4>& t, const Corners& corners) {
   return holds(t, corners[0]) || holds(t, corners[1]) || holds(t, corners[2]);
 }
-
-/// Lists by key 0..size-1 from pairs (key, item) sorted.
-struct Lists {
-  std::vector<std::size_t> begin;
-  std::vector<std::uint32_t> items;
-
-  Lists() = default;
-  Lists(std::size_t size, const std::vector<std::pair<std::uint32_t, std::uint32_t>>& sorted)
-      : begin(size + 1, 0) {
-    for (const auto& [key, item] : sorted) {
-      ++begin[key + std::size_t{1}];
-      items.push_back(item);
-    }
-    for (std::size_t k = 0; k < size; ++k) begin[k + 1] += begin[k];
-  }
-  std::span<const std::uint32_t> of(std::size_t key) const {
-    return {items.data() + begin[key], begin[key + 1] - begin[key]};
-  }
-};
 
 class Separator {
  public:
