@@ -198,7 +198,9 @@ void add_reconstruct(CLI::App& program, ExitCode& outcome) {
       ->capture_default_str()
       ->check(CLI::Range(0.0, 1.0));
   command
-      ->add_option("--separate", a.options.separation, "x")
+      ->add_option("--separate", a.options.separation,
+                   "where the surface touches itself, move its vertices apart by up to this, even if sections move "
+                   "with them; a fraction of the diagonal, 0: only where no section changes")
       ->capture_default_str()
       ->check(CLI::Range(0.0, 1.0));
   command->add_flag("!--keep-touching", a.options.separate,

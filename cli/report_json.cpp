@@ -93,7 +93,8 @@ Json to_json(const Options& o) {
           {"on_tolerance", o.on_tolerance},
           {"simplify", o.simplify},
           {"thicken", o.thicken},
-          {"separate", o.separate}};
+          {"separate", o.separate},
+          {"separation", o.separation}};
 }
 
 Json input_part(const Report& r) {
@@ -134,6 +135,11 @@ Json result_part(const Report& r) {
           {"separated_copies", r.separated_copies},
           {"touching_copies", r.touching_copies},
           {"separation", r.separation},
+          {"contacts", r.contacts},
+          {"crossing_pairs", r.crossing_pairs},
+          {"crossing_pairs_left", r.crossing_pairs_left},
+          {"mended_vertices", r.mended_vertices},
+          {"mending", r.mending},
           {"volume", r.volume},
           {"flat_area", r.flat_area},
           {"flat_regions", r.flat_regions},

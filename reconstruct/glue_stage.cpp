@@ -10,6 +10,18 @@
 #include "self_check.h"
 
 namespace crossloft {
+namespace {
+
+/// Of moves that the user has asked for.
+constexpr int kHalvings = 8, kRounds = 8;
+
+/// Sections may change.
+struct Anywhere : Confinement {
+  bool may_move(const Umbrella&) const override { return true; }
+  bool admit(const Umbrella&, Vec3&) const override { return true; }
+};
+
+}  // namespace
 
 Result<Done> Pipeline::glue_cells() {
   result_.solid = assemble_solid(tets_, numbering_, framed_.grid);
@@ -68,28 +80,22 @@ void Pipeline::mend(const GluedSurface& glued) {
 void Pipeline::separate(const GluedSurface& glued) {
   Report& report = result_.report;
   report.touching_copies = glued.copies;
-  if (!options_.separate || glued.copies == 0) return;
-  const SectionConfinement confinement(graph_, faces_, numbering_, framed_.grid, glued);
-  const Separation separation = separate_copies(result_.surface, glued.vertices, confinement);
-  report.separated_copies = separation.separated;
-  report.touching_copies = separation.touching;
-  report.separation = separation.largest;
-  if (options_.separation == 0) return;
-  struct Anywhere : Confinement {
-    bool may_move(const Umbrella&) const override { return true; }
-    bool admit(const Umbrella&, Vec3&) const override { return true; }
+  if (glued.copies == 0) return;
+  const auto take = [&](const Separation& separation) {
+    report.separated_copies += separation.separated;
+    report.touching_copies = separation.touching;
+    report.separation = std::max(report.separation, separation.largest);
   };
-  const Separation s2 = separate_copies(result_.surface, glued.vertices, Anywhere{}, {options_.separation*framed_.diagonal, 8, 8});
-  report.separated_copies = s2.separated;
-  report.touching_copies = s2.touching;
-  report.separation = s2.largest;
-  const auto c = find_contacts(result_.surface);
-  warn("contacts " + std::to_string(c.size()));
-  for (std::size_t i = 0; i < c.size() && i < 5; ++i) {
-    std::string line;
-    for (auto t : c[i]) for (auto v : result_.surface.triangles[t]) { const auto& o = glued.vertices[v]; line += " " + std::to_string(o.a) + (o.is_midpoint() ? "m" : "") + "." + std::to_string(v); }
-    warn(line);
-  }
+  if (options_.separate)
+    take(separate_copies(result_.surface, glued.vertices,
+                         SectionConfinement(graph_, faces_, numbering_, framed_.grid, glued)));
+  if (options_.separation == 0) return;
+  take(separate_copies(result_.surface, glued.vertices, Anywhere{},
+                       {options_.separation * framed_.diagonal, kHalvings, kRounds}));
+  report.contacts = find_contacts(result_.surface).size();
+  if (report.contacts != 0)
+    warn(std::to_string(report.contacts) + " pairs of triangles touch: " +
+         std::to_string(report.touching_copies) + " vertices could not be moved apart");
 }
 
 /// Section and flat area, plane by plane.

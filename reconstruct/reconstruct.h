@@ -23,7 +23,7 @@ struct Options {
   double on_tolerance = 1e-9;     ///< a contour vertex this near another plane is a crossing already
   double simplify = 0;            ///< contours get fewer vertices and move no further than this; 0: they stay as they are
   double thicken = 0;             ///< flat section regions get a plate of solid no thicker than this; 0: they stay out
-  double separation = 0;
+  double separation = 0;          ///< above 0: what still touches then moves by up to this, though sections change with it
   bool separate = true;           ///< move copies of pinched vertices apart where no section changes
 };
 

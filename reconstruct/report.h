@@ -106,6 +106,7 @@ struct Report {
   std::uint32_t separated_copies = 0; ///< copies that moved away from the others
   std::uint32_t touching_copies = 0;  ///< copies left at the same place, beyond one each
   double separation = 0;              ///< longest move
+  std::uint64_t contacts = 0;         ///< pairs of triangles that touch in the end; counted for Options::separation alone
   std::uint32_t solid_tets = 0, surface_triangles = 0, surface_vertices = 0;
   std::uint32_t bad_links = 0;
   double volume = 0;

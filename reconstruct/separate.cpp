@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -14,7 +15,6 @@ namespace crossloft {
 namespace {
 
 constexpr double kStep = 0.02;  ///< of the shortest edge at the copy
-constexpr int kHalvings = 4;
 constexpr int kDirectionRounds = 64;
 
 Bounds widened(Bounds box, double by) { return {box.low - Vec3{by, by, by}, box.high + Vec3{by, by, by}}; }
@@ -48,10 +48,10 @@ class Separator {
     find_umbrellas();
     for (std::size_t k = 0; k < copies_.size(); ++k) reach_.push_back(reach(k));
     find_neighbours();
-    moved_.assign(copies_.size(), 0);
-    for (std::size_t k = 0; k < copies_.size(); ++k) move(k, direction(k));
+    for (std::size_t k = 0; k < copies_.size(); ++k)
+      if (effort_.rounds == 0 || touches(k)) move(k, direction(k));
     bool some = true;
-    for (int round = 1; round < effort_.rounds && some; ++round) some = move_touching();
+    for (int round = 0; round < effort_.rounds && some; ++round) some = move_touching();
     count_touching();
     return result_;
   }
@@ -185,23 +185,20 @@ class Separator {
       if (!is_finite(to) || !confinement_.admit(umbrella(k), to)) continue;
       if (to == from || !overlap(allowed, {to, to}) || !is_free(k, to)) continue;
       points_[copies_[k]] = to;
-      result_.separated += moved_[k] == 0 ? 1U : 0U;
-      moved_[k] = 1;
+      ++result_.separated;
       result_.largest = std::max(result_.largest, norm(to - from));
       return true;
     }
     return false;
   }
 
-  /// Other copies at its place now.
+  /// Another copy is at its place.
   bool touches(std::size_t k) const {
-    const auto touching = [&](std::size_t i) {
-      return i < copies_.size() && same_origin(copies_[i], copies_[k]) && points_[copies_[i]] == points_[copies_[k]];
-    };
-    for (std::size_t i = k; i-- > 0 && same_origin(copies_[i], copies_[k]);)
-      if (touching(i)) return true;
+    const auto is_here = [&](std::size_t i) { return points_[copies_[i]] == points_[copies_[k]]; };
+    for (std::size_t i = k; i > 0 && same_origin(copies_[i - 1], copies_[k]); --i)
+      if (is_here(i - 1)) return true;
     for (std::size_t i = k + 1; i < copies_.size() && same_origin(copies_[i], copies_[k]); ++i)
-      if (touching(i)) return true;
+      if (is_here(i)) return true;
     return false;
   }
 
@@ -209,9 +206,9 @@ class Separator {
   bool move_touching() {
     bool some = false;
     for (std::size_t k = 0; k < copies_.size(); ++k) {
-      if (moved_[k] != 0 || !touches(k)) continue;
+      if (reach_[k] == 0 || !touches(k)) continue;
       for (const Vec3& d : directions(k))
-        if (move(k, d)) {
+        if (is_free_at_first(k, d) && move(k, d)) {
           some = true;
           break;
         }
@@ -219,13 +216,20 @@ class Separator {
     return some;
   }
 
-  /// Into the cone, against it, along the normals' mean, to the 26 neighbours of a grid point.
+  /// The shortest step first: most directions fail, and fail there.
+  bool is_free_at_first(std::size_t k, const Vec3& d) const {
+    Vec3 to = points_[copies_[k]] + std::ldexp(reach_[k], -effort_.halvings) * d;
+    return is_finite(to) && confinement_.admit(umbrella(k), to) && is_free(k, to);
+  }
+
+  /// Into the cone, against it, and to all points of a grid around.
   std::vector<Vec3> directions(std::size_t k) const {
     const Vec3 d = direction(k);
     std::vector<Vec3> list{d, -d};
-    for (int x = -1; x < 2; ++x)
-      for (int y = -1; y < 2; ++y)
-        for (int z = -1; z < 2; ++z) {
+    constexpr int kHalf = 3;
+    for (int x = -kHalf; x <= kHalf; ++x)
+      for (int y = -kHalf; y <= kHalf; ++y)
+        for (int z = -kHalf; z <= kHalf; ++z) {
           const Vec3 v{double(x), double(y), double(z)};
           if (norm(v) > 0) list.push_back(1 / norm(v) * v);
         }
@@ -286,7 +290,6 @@ class Separator {
   std::span<const SurfaceVertex> origins_;
   const Confinement& confinement_;
   const SeparationEffort& effort_;
-  std::vector<std::uint8_t> moved_;    ///< by copy
   std::vector<std::uint32_t> number_;  ///< by vertex: its place in copies_, kNone if it has no other copy
   std::vector<std::uint32_t> copies_;  ///< ascending
   Lists umbrellas_;                    ///< by copy

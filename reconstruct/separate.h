@@ -30,11 +30,13 @@ class Confinement {
   virtual bool admit(const Umbrella& umbrella, Vec3& place) const = 0;
 };
 
-/// How far and how hard copies are moved.
+/// How hard it is tried.
 struct SeparationEffort {
   double longest = Bounds::kFar;  ///< no copy moves further from its place
   int halvings = 4;               ///< of the step where the way is not free
-  int rounds = 1;                 ///< from the second on those still touching try other directions
+  /// Above 0: only copies that still touch another one move, and where the best direction is not free 343 others are tried, until
+  /// no copy moves any more but in so many rounds at most.
+  int rounds = 0;
 };
 
 struct Separation {
@@ -51,6 +53,8 @@ struct Separation {
 /// All exact on the double coordinates, each move against those before it: a surface without crossings stays one.
 /// Not asked: that all triangles have the new place on one side; of a cone that is not star-shaped none is, and a
 /// short move along it is as good.
+///
+/// With `effort` nothing changes but how many ways are tried, and which copies.
 ///
 /// `origins` are those of the surface's points, copies of one point side by side. Expected O(n log m) for n
 /// triangles and m copies that may move. Source: the choice and the tests are our own.
