@@ -86,12 +86,14 @@ void Pipeline::separate(const GluedSurface& glued) {
     report.touching_copies = separation.touching;
     report.separation = std::max(report.separation, separation.largest);
   };
+  SeparationEffort effort;
+  if (options_.separation > 0) effort.longest = options_.separation * framed_.diagonal;
   if (options_.separate)
     take(separate_copies(result_.surface, glued.vertices,
-                         SectionConfinement(graph_, faces_, numbering_, framed_.grid, glued)));
+                         SectionConfinement(graph_, faces_, numbering_, framed_.grid, glued), effort));
   if (options_.separation == 0) return;
-  take(separate_copies(result_.surface, glued.vertices, Anywhere{},
-                       {options_.separation * framed_.diagonal, kHalvings, kRounds}));
+  effort.halvings = kHalvings, effort.rounds = kRounds;
+  take(separate_copies(result_.surface, glued.vertices, Anywhere{}, effort));
   report.contacts = find_contacts(result_.surface).size();
   if (report.contacts != 0)
     warn(std::to_string(report.contacts) + " pairs of triangles touch: " +

@@ -16,19 +16,23 @@ namespace {
 using Tet = std::array<std::uint32_t, 4>;
 using Edge = std::array<std::uint32_t, 2>;
 
+/// What fills an edge or a vertex gives up before the triangles around it do.
+constexpr int kEdgeRounds = 16, kVertexRounds = 12;
+
 /// A point to be raised over a triangle's middle, an edge's middle or a vertex.
 struct Raised {
   Vec3 foot, up;
   double height = 0;
-  int halvings = 0;
   LatticePoint point;
   bool changed = true;  ///< since its tetrahedra were tested last
 };
 
-/// An edge between two flat triangles of one face, or a vertex that they surround.
+/// A triangle, an edge between two flat triangles of one face, or a vertex that they surround.
 struct Part {
   std::uint32_t raised = 0;
+  int patience = kRoofRounds;  ///< rounds that its pieces may fail before it is dropped
   bool built = true;
+  int failed = 0;
 };
 
 struct EdgeName {
@@ -50,7 +54,11 @@ class RoofBuilder {
     name_parts();
     for (std::size_t t = 0; t < triangles_.size(); ++t) raise_middle(t);
     for (auto& [name, edge] : edges_) raise_edge(name, edge);
-    for (auto& [name, vertex] : vertices_) vertex.raised = raise(corner(name[1]), up_[name[0]]);
+    for (auto& [name, vertex] : vertices_) {
+      vertex.raised = raise(corner(name[1]), up_[name[0]]);
+      vertex.patience = kVertexRounds;
+    }
+    start_ = raised_;
     find_obstacles();
   }
 
@@ -96,7 +104,7 @@ class RoofBuilder {
     Raised r;
     r.foot = foot, r.up = up, r.height = site_.height;
     place(r);
-    while (!is_inside(r.point) && r.halvings < kRoofRounds) lower(r);
+    for (int i = 0; i < kRoofRounds && !is_inside(r.point); ++i) lower(r);
     raised_.push_back(r);
     return static_cast<std::uint32_t>(raised_.size() - 1);
   }
@@ -107,6 +115,7 @@ class RoofBuilder {
   }
   void raise_edge(const EdgeName& name, Part& edge) {
     edge.raised = raise(0.5 * (corner(name.ends[0]) + corner(name.ends[1])), up_[name.face]);
+    edge.patience = kEdgeRounds;
   }
 
   static void place(Raised& r) {
@@ -117,7 +126,6 @@ class RoofBuilder {
   }
   static void lower(Raised& r) {
     r.height *= 0.5;
-    ++r.halvings;
     place(r);
   }
   bool is_inside(const LatticePoint& p) const {
@@ -216,14 +224,15 @@ class RoofBuilder {
     });
   }
 
-  /// Lowers points until all pieces fit; false if some had to be dropped instead.
+  /// From the start, lowers points until all pieces fit; false if some part had to be dropped instead.
   bool settle() {
-    for (Raised& r : raised_) r.changed = true;
+    raised_ = start_;
+    for (Piece& p : pieces_) p.owner->failed = 0;
     for (;;) {
       const std::vector<std::uint8_t> bad = misfits();
       if (std::find(bad.begin(), bad.end(), 1) == bad.end()) return true;
-      for (Raised& r : raised_) r.changed = false;
-      if (!lower_misfits(bad)) return false;
+      if (drop_hopeless(bad)) return false;
+      lower_misfits(bad);
     }
   }
 
@@ -251,24 +260,27 @@ class RoofBuilder {
     return bad;
   }
 
-  /// False if a point of a misfit is at the bottom already: its owner is dropped.
-  bool lower_misfits(const std::vector<std::uint8_t>& bad) {
-    std::vector<std::uint32_t> low;
-    bool all_down = true;
-    for (std::size_t i = 0; i < pieces_.size(); ++i) {
-      if (bad[i] == 0) continue;
-      const std::size_t before = low.size();
+  bool drop_hopeless(const std::vector<std::uint8_t>& bad) {
+    std::vector<Part*> failing;
+    for (std::size_t i = 0; i < pieces_.size(); ++i)
+      if (bad[i] != 0) failing.push_back(pieces_[i].owner);
+    std::sort(failing.begin(), failing.end());
+    failing.erase(std::unique(failing.begin(), failing.end()), failing.end());
+    bool some = false;
+    for (Part* part : failing)
+      if (++part->failed > part->patience) part->built = false, some = true;
+    return some;
+  }
+
+  void lower_misfits(const std::vector<std::uint8_t>& bad) {
+    std::vector<std::uint8_t> low(raised_.size(), 0);
+    for (std::size_t i = 0; i < pieces_.size(); ++i)
       for (const std::uint32_t v : pieces_[i].tet)
-        if (v >= kFirstRaisedPoint && raised_[v - kFirstRaisedPoint].halvings < kRoofRounds)
-          low.push_back(v - kFirstRaisedPoint);
-      if (low.size() != before) continue;
-      pieces_[i].owner->built = false;
-      all_down = false;
+        if (bad[i] != 0 && v >= kFirstRaisedPoint) low[v - kFirstRaisedPoint] = 1;
+    for (std::size_t r = 0; r < raised_.size(); ++r) {
+      raised_[r].changed = false;
+      if (low[r] != 0) lower(raised_[r]);
     }
-    std::sort(low.begin(), low.end());
-    low.erase(std::unique(low.begin(), low.end()), low.end());
-    for (const std::uint32_t r : low) lower(raised_[r]);
-    return all_down;
   }
 
   CellRoofs result() const {
@@ -288,7 +300,7 @@ class RoofBuilder {
   std::vector<Part> triangles_;
   std::map<EdgeName, Part> edges_;
   std::map<VertexName, Part> vertices_;
-  std::vector<Raised> raised_;
+  std::vector<Raised> raised_, start_;
   std::vector<Piece> pieces_;
   std::vector<Tet> obstacles_;
   std::vector<Bounds> obstacle_boxes_;

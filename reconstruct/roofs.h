@@ -48,9 +48,10 @@ struct CellRoofs {
   double height = 0;                                 ///< of the highest point raised, lattice units
 };
 
-/// Builds what can be built. A raised point starts at the full height; where a tetrahedron overlaps an obstacle or
-/// another one, or is turned over by rounding, its raised points come down by half, all in one round, and again. What still
-/// does not fit after kRoofRounds is left out: first what fills the fan of a vertex, then the edge, then the triangle.
+/// Builds what can be built. A raised point starts at the full height, or lower where the cell ends; where a tetrahedron
+/// overlaps an obstacle or another one, or is turned over by rounding, its raised points come down by half, all in one
+/// round, and again. Who fails in too many rounds is left out, and the heights start anew: what fills the fan of a
+/// vertex first, then that of an edge, then, after kRoofRounds, a triangle.
 /// No tetrahedra overlap in the result; plates of different faces, and a plate and the solid beside it, meet at the
 /// section's edges and vertices. Does not depend on the order of the obstacles. Expected O(n log n) each round.
 inline constexpr int kRoofRounds = 24;
