@@ -31,8 +31,9 @@ struct Raised {
 struct Part {
   std::uint32_t raised = 0;
   int patience = kRoofRounds;  ///< rounds that its pieces may fail before it is dropped
-  bool built = true;
   int failed = 0;
+  bool fails = false;  ///< in this round
+  bool built = true;
 };
 
 struct EdgeName {
@@ -260,15 +261,16 @@ class RoofBuilder {
     return bad;
   }
 
+  /// True if a part's pieces have failed in too many rounds.
   bool drop_hopeless(const std::vector<std::uint8_t>& bad) {
-    std::vector<Part*> failing;
-    for (std::size_t i = 0; i < pieces_.size(); ++i)
-      if (bad[i] != 0) failing.push_back(pieces_[i].owner);
-    std::sort(failing.begin(), failing.end());
-    failing.erase(std::unique(failing.begin(), failing.end()), failing.end());
     bool some = false;
-    for (Part* part : failing)
-      if (++part->failed > part->patience) part->built = false, some = true;
+    for (Piece& p : pieces_) p.owner->fails = false;
+    for (std::size_t i = 0; i < pieces_.size(); ++i) {
+      Part& part = *pieces_[i].owner;
+      if (bad[i] == 0 || part.fails) continue;
+      part.fails = true;
+      if (++part.failed > part.patience) part.built = false, some = true;
+    }
     return some;
   }
 

@@ -34,7 +34,9 @@ TEST_CASE("separation on request leaves no contact in the figures, and moves no 
       CAPTURE(std::string(name));
       Options options;
       options.mode = mode;
+      options.separate = false;
       const Reconstruction before = run(load(name), {}, options);
+      options.separate = true;
       CHECK(find_contacts(before.surface).empty() == (before.report.touching_copies == 0));
       options.separation = kSeparation;
       const Reconstruction r = run(load(name), {}, options);
