@@ -12,8 +12,9 @@
 
 namespace crossloft::section_steps {
 
-/// The vertices of one plane's contours by numbers from 0 on. One table over all vertices of the graph serves all
-/// planes in turn: with a stack of k slices, one for each would be k times as much work as there are vertices.
+/// The vertices of one plane's contours by numbers from 0 on. One table over all vertices of the graph serves
+/// all planes in turn: with a stack of k slices, one for each would be k times as much work as there are
+/// vertices.
 class ContourPlaces {
  public:
   explicit ContourPlaces(std::uint32_t vertices) : of_(vertices, kNone) {}
@@ -76,8 +77,8 @@ class ContourChains {
 
   std::vector<Wall>& walls_;
   const ContourPlaces& places_;
-  std::vector<std::uint32_t> begin_, degree_;         ///< by place: its walls are around_[begin .. begin + degree)
-  std::vector<std::uint32_t> around_;                 ///< walls; a list can change or end, but not grow
+  std::vector<std::uint32_t> begin_, degree_;  ///< by place: its walls are around_[begin .. begin + degree)
+  std::vector<std::uint32_t> around_;          ///< walls; a list can change or end, but not grow
   std::vector<std::vector<std::uint32_t>> replaced_;  ///< vertices by wall
   std::vector<bool> dead_;                            ///< by wall
 };

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "../geom/frame.h"
+#include "../geom/parallel.h"
 #include "coplanar_sections.h"
 #include "normalise.h"
 #include "plane_frames.h"
@@ -111,15 +112,16 @@ std::set<std::uint32_t> contours_of(const std::vector<WallEdge>& walls) {
 }
 
 /// The section with its vertices on the lattice plane; notes how far they went.
-LatticeSection snap(const Candidate& c, FramedPlane& plane, FramedSections& out) {
+LatticeSection snap(const Candidate& c, const WorldGrid& grid, FramedPlane& plane,
+                    std::vector<std::string>& warnings) {
   LatticeSection s;
   s.input = c.section->vertices;
   s.walls = c.section->walls;
   for (std::size_t v = 0; v < c.points.size(); ++v) {
     s.vertices.push_back(make_point(snap_to_plane(plane.plane, c.points[v])));
     const LatticePoint& p = s.vertices.back();
-    const Vec3 way = Vec3{p.x, p.y, p.z} - out.grid.scaled(s.input[v]);
-    plane.displacement = std::max(plane.displacement, out.grid.unit() * norm(way));
+    const Vec3 way = Vec3{p.x, p.y, p.z} - grid.scaled(s.input[v]);
+    plane.displacement = std::max(plane.displacement, grid.unit() * norm(way));
   }
   plane.off_plane = std::max(plane.off_plane, c.section->off_plane);
   plane.sources.push_back(c.section->source);
@@ -128,8 +130,8 @@ LatticeSection snap(const Candidate& c, FramedPlane& plane, FramedSections& out)
   const auto after = contours_of(s.walls);
   for (const std::uint32_t contour : before)
     if (!after.contains(contour))
-      out.warnings.push_back("plane " + std::to_string(c.section->source) + ", contour " +
-                             std::to_string(contour) + ": dropped, it vanishes on the lattice");
+      warnings.push_back("plane " + std::to_string(c.section->source) + ", contour " +
+                         std::to_string(contour) + ": dropped, it vanishes on the lattice");
   return s;
 }
 
@@ -235,12 +237,18 @@ std::vector<Framing> sort_and_join(std::vector<LatticePlane> planes, Groups grou
   return joined;
 }
 
-Result<FramedPlane> finish_plane(const Framing& framing, double tolerance, const Sections& in,
-                                 FramedSections& out) {
+/// A plane and what is to be told of it.
+struct FinishedPlane {
   FramedPlane plane;
+  std::vector<std::string> notes, warnings;
+};
+
+Result<Done> finish_plane(const Framing& framing, double tolerance, const Sections& in, const WorldGrid& grid,
+                          FinishedPlane& out) {
+  FramedPlane& plane = out.plane;
   plane.plane = framing.plane;
   std::vector<LatticeSection> sections;
-  for (const Candidate* c : framing.members) sections.push_back(snap(*c, plane, out));
+  for (const Candidate* c : framing.members) sections.push_back(snap(*c, grid, plane, out.warnings));
   std::sort(plane.sources.begin(), plane.sources.end());
   if (plane.sources.size() > 1)
     out.notes.push_back("planes " + std::to_string(plane.sources[0]) + " and " +
@@ -252,7 +260,27 @@ Result<FramedPlane> finish_plane(const Framing& framing, double tolerance, const
   plane.vertices = std::move(section->vertices);
   plane.input = std::move(section->input);
   plane.walls = std::move(section->walls);
-  return plane;
+  return Done{};
+}
+
+/// Snaps the sections, plane by plane.
+Result<Done> finish_planes(const std::vector<Framing>& framings, double tolerance, const Sections& in,
+                           FramedSections& out, const Context& context) {
+  std::vector<FinishedPlane> finished(framings.size());
+  const auto done = for_all(framings.size(), context, "sections", [&](std::size_t i) {
+    return finish_plane(framings[i], tolerance, in, out.grid, finished[i]);
+  });
+  if (!done) {
+    Error error = done.error();
+    if (error.file.empty()) error.file = in.source;
+    return error;
+  }
+  for (FinishedPlane& p : finished) {
+    out.planes.push_back(std::move(p.plane));
+    out.notes.insert(out.notes.end(), p.notes.begin(), p.notes.end());
+    out.warnings.insert(out.warnings.end(), p.warnings.begin(), p.warnings.end());
+  }
+  return Done{};
 }
 
 void tell_of_coincidences(const PlaneFrames& frames, FramedSections& out) {
@@ -300,11 +328,12 @@ Result<FramedSections> frame_sections(const Sections& in, double plane_tolerance
   PlaneFrames frames = frame_planes(wishes, static_cast<std::int64_t>(radius), tolerance);
   tell_of_coincidences(frames, out);
 
-  for (const Framing& f : sort_and_join(std::move(frames.planes), std::move(groups))) {
-    if (context.cancelled()) return Error{ErrorCode::cancelled, "cancelled", in.source};
-    Result<FramedPlane> plane = finish_plane(f, tolerance, in, out);
-    if (!plane) return plane.error();
-    out.planes.push_back(std::move(*plane));
+  const auto done =
+      finish_planes(sort_and_join(std::move(frames.planes), std::move(groups)), tolerance, in, out, context);
+  if (!done) return done.error();
+  if (std::all_of(out.planes.begin(), out.planes.end(), [](const FramedPlane& p) { return p.walls.empty(); })) {
+    out.planes.clear();  // there is no box around no vertex
+    out.warnings.push_back("no contour is wide enough to be told from a line");
   }
   return out;
 }

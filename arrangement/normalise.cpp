@@ -1,6 +1,7 @@
 #include "normalise.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <map>
 #include <set>
@@ -129,6 +130,11 @@ const WallEdge& first_wall_at(const WallSection& s, std::uint32_t v) {
   return *first;
 }
 
+std::string three_digits(double x) {
+  char text[32];
+  return {text, std::to_chars(text, text + sizeof text, x, std::chars_format::general, 3).ptr};
+}
+
 /// The distances of the vertices from the plane; an error beyond the tolerance.
 Result<Done> check_distances(const Sections& in, WallSection& s, double tolerance) {
   const double length = norm(s.normal);
@@ -137,8 +143,10 @@ Result<Done> check_distances(const Sections& in, WallSection& s, double toleranc
     s.off_plane = std::max(s.off_plane, distance);
     if (distance <= tolerance) continue;
     const WallEdge& w = first_wall_at(s, v);
-    return error_at(ErrorCode::off_plane, "a vertex lies further from its plane than the plane tolerance", in,
-                    s.source, w.contour, w.line);
+    return error_at(ErrorCode::off_plane,
+                    "a vertex is " + three_digits(distance) + " off its plane; the plane tolerance is " +
+                        three_digits(tolerance),
+                    in, s.source, w.contour, w.line);
   }
   return Done{};
 }

@@ -1,8 +1,10 @@
-/// Last steps of the section graph: collinear runs, one vertex a point, canonical order, arrangement vertices.
+/// Last steps of the section graph: collinear runs, one vertex a point, canonical order, arrangement
+/// vertices.
 
 #include <algorithm>
 #include <numeric>
 
+#include "../geom/parallel.h"
 #include "contour_chains.h"
 #include "section_steps.h"
 
@@ -11,9 +13,10 @@ namespace {
 
 Vec3 position(const LatticePoint& p) { return {p.x, p.y, p.z}; }
 
-/// Removes vertices of the contours of one plane that snapping has bent by a hair: one that dips to the inner side
-/// makes an external sliver with its neighbours where no other vertex is near, and with it go the tetrahedra on it.
-/// Exactly collinear vertices do no such harm and stay: they are the sampling of the contour.
+/// Removes vertices of the contours of one plane that snapping has bent by a hair: one that dips to the inner
+/// side makes an external sliver with its neighbours where no other vertex is near, and with it go the
+/// tetrahedra on it. Exactly collinear vertices do no such harm and stay: they are the sampling of the
+/// contour.
 class RunMerger {
  public:
   RunMerger(SectionGraph& graph, std::uint32_t plane, ContourPlaces& places)
@@ -37,10 +40,11 @@ class RunMerger {
   double tolerance_ = 0;
 };
 
-/// v projects into the open segment uw and is within tolerance of it. Differences of explicit points are exact, the
-/// products are good to 2^-4 lattice units.
+/// v projects into the open segment uw and is within tolerance of it. Differences of explicit points are
+/// exact, the products are good to 2^-4 lattice units.
 bool RunMerger::near_segment(std::uint32_t u, std::uint32_t w, std::uint32_t v) const {
-  const Vec3 a = position(graph_.points[u]), d = position(graph_.points[w]) - a, p = position(graph_.points[v]) - a;
+  const Vec3 a = position(graph_.points[u]), d = position(graph_.points[w]) - a,
+             p = position(graph_.points[v]) - a;
   const double along = dot(p, d), length2 = dot(d, d);
   return along > 0 && along < length2 && norm(cross(p, d)) <= tolerance_ * std::sqrt(length2);
 }
@@ -137,23 +141,21 @@ bool strictly_on(const SectionGraph& graph, std::uint32_t p, const Wall& wall, s
 }
 
 /// Contours of one plane that touch: a vertex inside another wall cuts it; what then runs double cancels.
-void cut_touching(SectionGraph& graph) {
-  for (std::uint32_t p = 0; p < graph.planes.size(); ++p) {
-    std::vector<WallEnds> ends;
-    std::vector<std::vector<std::uint32_t>> touching(graph.walls[p].size());
-    bool any = false;
-    for (const auto& [v, w] : graph.locator(p, ends).conflicts())
-      for (const auto& [cut, by] : {std::pair{v, w}, std::pair{w, v}})
-        for (const std::uint32_t end : {ends[by].a, ends[by].b})
-          if (strictly_on(graph, p, graph.walls[p][cut], end)) {
-            touching[cut].push_back(end);
-            any = true;
-          }
-    if (!any) continue;
-    for (std::uint32_t w = 0; w < touching.size(); ++w)
-      if (!touching[w].empty()) cut_wall(graph, p, w, touching[w]);
-    cancel_pairs(graph.walls[p]);
-  }
+void cut_touching(SectionGraph& graph, std::uint32_t p) {
+  std::vector<WallEnds> ends;
+  std::vector<std::vector<std::uint32_t>> touching(graph.walls[p].size());
+  bool any = false;
+  for (const auto& [v, w] : graph.locator(p, ends).conflicts())
+    for (const auto& [cut, by] : {std::pair{v, w}, std::pair{w, v}})
+      for (const std::uint32_t end : {ends[by].a, ends[by].b})
+        if (strictly_on(graph, p, graph.walls[p][cut], end)) {
+          touching[cut].push_back(end);
+          any = true;
+        }
+  if (!any) return;
+  for (std::uint32_t w = 0; w < touching.size(); ++w)
+    if (!touching[w].empty()) cut_wall(graph, p, w, touching[w]);
+  cancel_pairs(graph.walls[p]);
 }
 
 /// Walls along an arrangement edge are cut at every section vertex there, of any plane.
@@ -187,7 +189,8 @@ void cancel_pairs(std::vector<Wall>& walls) {
     if (w.a > w.b) std::swap(w.a, w.b);
   std::erase_if(walls, [](const Wall& w) { return w.a == w.b; });
   std::sort(walls.begin(), walls.end(), [](const Wall& x, const Wall& y) {
-    return std::tie(x.a, x.b, x.source_plane, x.contour, x.line) < std::tie(y.a, y.b, y.source_plane, y.contour, y.line);
+    return std::tie(x.a, x.b, x.source_plane, x.contour, x.line) <
+           std::tie(y.a, y.b, y.source_plane, y.contour, y.line);
   });
   std::vector<Wall> odd;
   for (const Wall& w : walls) {
@@ -224,9 +227,10 @@ void merge_collinear_runs(SectionGraph& graph) {
 
 void drop_bare_vertices(SectionGraph& graph) { renumber(graph, std::vector<bool>(graph.size(), false)); }
 
-void unify(SectionGraph& graph, const Arrangement& arrangement) {
+void unify(SectionGraph& graph, const Arrangement& arrangement, const Context& context) {
   drop_bare_vertices(graph);
-  cut_touching(graph);
+  parallel_for(graph.planes.size(), context, "sections",
+               [&](std::size_t p) { cut_touching(graph, static_cast<std::uint32_t>(p)); });
   cut_along_edges(graph, arrangement);
   drop_bare_vertices(graph);
 }

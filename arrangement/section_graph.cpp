@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 
+#include "../geom/parallel.h"
 #include "section_steps.h"
 
 namespace crossloft {
@@ -92,24 +93,27 @@ Error self_crossing(const Wall& v, const Wall& w) {
   return error;
 }
 
-/// Orients the walls of each plane; the first conflict in file order is the error.
-Result<Done> orient_walls(SectionGraph& graph) {
-  for (std::uint32_t p = 0; p < graph.planes.size(); ++p) {
-    std::vector<WallEnds> ends;
-    const SectionLocator locator = graph.locator(p, ends);
-    const auto conflicts = locator.conflicts();
-    if (!conflicts.empty()) {
-      const auto order = [&](const std::array<std::uint32_t, 2>& pair) {
-        const Wall& w = graph.walls[p][pair[0]];
-        return std::tie(w.source_plane, w.contour, w.line);
-      };
-      const auto first = *std::min_element(conflicts.begin(), conflicts.end(),
-                                           [&](const auto& x, const auto& y) { return order(x) < order(y); });
-      return self_crossing(graph.walls[p][first[0]], graph.walls[p][first[1]]);
-    }
-    for (std::uint32_t w = 0; w < ends.size(); ++w) graph.walls[p][w].inside_left = locator.inside_left(w);
+/// Orients the walls of a plane; the first conflict in file order is the error.
+Result<Done> orient_walls(SectionGraph& graph, std::uint32_t p) {
+  std::vector<WallEnds> ends;
+  const SectionLocator locator = graph.locator(p, ends);
+  const auto conflicts = locator.conflicts();
+  if (!conflicts.empty()) {
+    const auto order = [&](const std::array<std::uint32_t, 2>& pair) {
+      const Wall& w = graph.walls[p][pair[0]];
+      return std::tie(w.source_plane, w.contour, w.line);
+    };
+    const auto first = *std::min_element(conflicts.begin(), conflicts.end(),
+                                         [&](const auto& x, const auto& y) { return order(x) < order(y); });
+    return self_crossing(graph.walls[p][first[0]], graph.walls[p][first[1]]);
   }
+  for (std::uint32_t w = 0; w < ends.size(); ++w) graph.walls[p][w].inside_left = locator.inside_left(w);
   return Done{};
+}
+
+Result<Done> orient_walls(SectionGraph& graph, const Context& context) {
+  return for_all(graph.planes.size(), context, "sections",
+                 [&](std::size_t p) { return orient_walls(graph, static_cast<std::uint32_t>(p)); });
 }
 
 /// Where vertices and walls are. A wall that crosses no plane is in the face that one of its ends is in.
@@ -130,7 +134,11 @@ Result<Done> locate_all(SectionGraph& graph, const Arrangement& arrangement) {
     for (const Wall& w : walls) {
       list.push_back(locate(w));
       if (!list.back().found())
-        return Error{ErrorCode::internal, "a contour edge crosses a plane uncut", {}, w.line, w.source_plane,
+        return Error{ErrorCode::internal,
+                     "a contour edge crosses a plane uncut",
+                     {},
+                     w.line,
+                     w.source_plane,
                      w.contour};
     }
   }
@@ -144,7 +152,8 @@ Result<SectionGraph> build_section_graph(const FramedSections& framed, const Arr
                                          const Context& context) {
   namespace steps = section_steps;
   SectionGraph graph = steps::start(framed);
-  steps::join_touching(graph);
+  if (!steps::join_touching(graph, tolerances.on, context))
+    return make_error(ErrorCode::cancelled, "cancelled");
   steps::move_onto_lines(graph, framed, store, tolerances.on);
   if (context.cancelled()) return make_error(ErrorCode::cancelled, "cancelled");
   if (!steps::cut_at_planes(graph, store, tolerances.on))
@@ -152,12 +161,12 @@ Result<SectionGraph> build_section_graph(const FramedSections& framed, const Arr
   steps::match_crossings(graph, arrangement, store, tolerances.match);
   if (context.cancelled()) return make_error(ErrorCode::cancelled, "cancelled");
   steps::merge_collinear_runs(graph);
-  steps::unify(graph, arrangement);
-  if (auto oriented = orient_walls(graph); !oriented) return oriented.error();
+  steps::unify(graph, arrangement, context);
+  if (auto oriented = orient_walls(graph, context); !oriented) return oriented.error();
   if (tolerances.simplify > 0) steps::simplify_contours(graph, tolerances.simplify);
   if (context.cancelled()) return make_error(ErrorCode::cancelled, "cancelled");
   if (steps::add_arrangement_vertices(graph, arrangement))
-    if (auto oriented = orient_walls(graph); !oriented) return oriented.error();
+    if (auto oriented = orient_walls(graph, context); !oriented) return oriented.error();
   if (auto located = locate_all(graph, arrangement); !located) return located.error();
   graph.share_rows();
   return graph;
@@ -181,7 +190,8 @@ std::string verify(const SectionGraph& graph, const Arrangement& arrangement) {
       if (told.dimension != at.dimension || told.index != at.index) return "a wall in the wrong place";
       ++degree[w.a], ++degree[w.b];
     }
-    if (std::any_of(degree.begin(), degree.end(), [](auto d) { return d % 2 != 0; })) return "an open contour";
+    if (std::any_of(degree.begin(), degree.end(), [](auto d) { return d % 2 != 0; }))
+      return "an open contour";
     std::vector<WallEnds> ends;
     if (!graph.locator(p, ends).conflicts().empty()) return "contours that cross";
   }

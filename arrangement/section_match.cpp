@@ -101,7 +101,8 @@ bool Matcher::join(std::uint32_t edge, Cluster& a, Cluster& b) {
   // Both are integers: the middle, rounded down, is between them and so past nothing.
   const double middle = std::floor((a.at[axis] + b.at[axis]) / 2);
   LatticePoint at;
-  if (!line_point(store_, arrangement_.plane(p), arrangement_.plane(q), static_cast<std::int64_t>(middle), at))
+  if (!line_point(store_, arrangement_.plane(p), arrangement_.plane(q), static_cast<std::int64_t>(middle),
+                  at))
     return false;
   a.gap = std::max({a.gap, b.gap, gap(a, b)});
   a.at = at;
@@ -131,7 +132,8 @@ void Matcher::apply(const std::vector<Cluster>& clusters) {
   for (const Cluster& cluster : clusters) {
     if (cluster.gap == 0) continue;
     for (const OnEdge& member : cluster.members) {
-      moves_.push_back({member.vertex, static_cast<std::uint32_t>(merge_gaps_.size()), graph_.points[member.vertex]});
+      moves_.push_back(
+          {member.vertex, static_cast<std::uint32_t>(merge_gaps_.size()), graph_.points[member.vertex]});
       graph_.move(member.vertex, cluster.at);
     }
     merge_gaps_.push_back(cluster.gap);
@@ -150,8 +152,8 @@ std::vector<std::uint32_t> Matcher::missing_planes(const Cluster& cluster) const
   const SignView signs = arrangement_.signs(ArrEdgeId{cluster.members[0].edge});
   std::vector<std::uint32_t> missing;
   for (std::uint32_t p = 0; p < graph_.planes.size(); ++p)
-    if (has_bit(signs.zero, PlaneId{p}) &&
-        std::none_of(cluster.members.begin(), cluster.members.end(), [&](const OnEdge& m) { return m.plane == p; }))
+    if (has_bit(signs.zero, PlaneId{p}) && std::none_of(cluster.members.begin(), cluster.members.end(),
+                                                        [&](const OnEdge& m) { return m.plane == p; }))
       missing.push_back(p);
   return missing;
 }
@@ -218,7 +220,8 @@ void Matcher::run() {
   }
   while (!moves_.empty() && undo_crossing_contours()) {
   }
-  for (const double g : merge_gaps_) graph_.statistics.largest_gap = std::max(graph_.statistics.largest_gap, g);
+  for (const double g : merge_gaps_)
+    graph_.statistics.largest_gap = std::max(graph_.statistics.largest_gap, g);
   for (const std::vector<Cluster>& clusters : by_edge()) count(clusters);
 }
 

@@ -4,7 +4,9 @@
 /// Vertex v goes if it is in the interior of a face, has two walls, to u and w, and
 ///   (a) v and all vertices that its two walls have replaced are within the tolerance of the segment uw;
 ///   (b) u and w are not joined by a wall and not on one line of planes;
-///   (c) the closed triangle u v w holds no other vertex of the plane's contours.
+///   (c) the closed triangle u v w holds no other vertex of the plane's contours, and uw passes by none at less
+///       than a thousandth of its distance from u and w: the face is triangulated with uw as an edge, which
+///       takes the more splits the closer it is to others.
 /// Smallest deviation first, then the one that replaces fewer, then by coordinates.
 ///
 /// *The tolerance bounds the distance between the contours, both ways.* Distance from a segment is a convex
@@ -47,6 +49,17 @@ double distance_to_segment(const Vec3& a, const Vec3& b, const Vec3& p) {
   if (along <= 0) return norm(e);
   if (along >= length2) return norm(p - b);
   return norm(cross(e, d)) / std::sqrt(length2);
+}
+
+constexpr double kClose = 0x1p-10;
+
+/// Whether segment ab goes past p at a thousandth of its distance from the ends, or less.
+bool grazes(const Vec3& a, const Vec3& b, const Vec3& p) {
+  const Vec3 d = b - a, e = p - a, f = p - b;
+  if (dot(e, d) <= 0 || dot(f, d) >= 0) return false;
+  const double to_ends = std::min(dot(e, e), dot(f, f));
+  const Vec3 off = cross(e, d);
+  return dot(off, off) <= kClose * kClose * to_ends * dot(d, d);
 }
 
 /// A vertex that may go. Replacing few first keeps long straight runs from growing at one end, which were
@@ -128,23 +141,28 @@ void Simplifier::assess(std::uint32_t v) {
   if (near) queue_.push({deviation, chains_.replaced_without(v), v, version});
 }
 
-/// A vertex in the triangle of v and its neighbours, kNone if there is none: condition (c).
+/// A vertex in the triangle of v and its neighbours, or too close to what would take the place of v; kNone if
+/// there is none: condition (c).
 std::uint32_t Simplifier::hindrance(std::uint32_t v) const {
-  const auto [u, w] = chains_.neighbours(v);
+  auto [u, w] = chains_.neighbours(v);
+  if (u > w) std::swap(u, w);
   const LatticePoint &a = graph_.points[u], &b = graph_.points[v], &c = graph_.points[w];
   const int turn = orient2d(plane_, a, b, c);
-  if (turn == 0) return kNone;
+  const Vec3 from = real(a), to = real(c);
   const Vec2 p = flat(plane_, a), q = flat(plane_, b), r = flat(plane_, c);
-  const std::uint32_t found =
-      tree_.find({std::min({p.x, q.x, r.x}), std::min({p.y, q.y, r.y})},
-                 {std::max({p.x, q.x, r.x}), std::max({p.y, q.y, r.y})}, [&, u = u, w = w](std::uint32_t k) {
-                   const std::uint32_t x = vertices_[k];
-                   if (x == u || x == v || x == w) return false;
-                   const LatticePoint& d = graph_.points[x];
-                   return turn * orient2d(plane_, a, b, d) >= 0 && turn * orient2d(plane_, b, c, d) >= 0 &&
-                          turn * orient2d(plane_, c, a, d) >= 0;
-                 });
-  return found;
+  const double margin = kClose * norm(to - from);
+  const auto in_triangle = [&](const LatticePoint& d) {
+    return turn != 0 && turn * orient2d(plane_, a, b, d) >= 0 && turn * orient2d(plane_, b, c, d) >= 0 &&
+           turn * orient2d(plane_, c, a, d) >= 0;
+  };
+  return tree_.find({std::min({p.x, q.x, r.x}) - margin, std::min({p.y, q.y, r.y}) - margin},
+                    {std::max({p.x, q.x, r.x}) + margin, std::max({p.y, q.y, r.y}) + margin},
+                    [&, u = u, w = w](std::uint32_t k) {
+                      const std::uint32_t x = vertices_[k];
+                      if (x == u || x == v || x == w) return false;
+                      const LatticePoint& d = graph_.points[x];
+                      return in_triangle(d) || grazes(from, to, real(d));
+                    });
 }
 
 void Simplifier::remove(std::uint32_t v) {

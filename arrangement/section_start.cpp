@@ -1,9 +1,11 @@
-/// First step of the section graph: what framing gave, with contour vertices that are crossings put on their lines.
+/// First step of the section graph: what framing gave, with contour vertices that are crossings put on their
+/// lines.
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
+#include "../geom/parallel.h"
 #include "../geom/plane_line.h"
 #include "section_steps.h"
 
@@ -39,7 +41,8 @@ std::vector<double> shortest_edges(const SectionGraph& graph, std::uint32_t p, s
   return shortest;
 }
 
-/// The planes that meet plane i in a line. In a stack of slices there is none, and nothing to ask of a vertex.
+/// The planes that meet plane i in a line. In a stack of slices there is none, and nothing to ask of a
+/// vertex.
 std::vector<std::uint32_t> planes_across(const SectionGraph& graph, std::uint32_t i) {
   std::vector<std::uint32_t> across;
   for (std::uint32_t j = 0; j < graph.planes.size(); ++j)
@@ -47,8 +50,8 @@ std::vector<std::uint32_t> planes_across(const SectionGraph& graph, std::uint32_
   return across;
 }
 
-/// The point of the line of planes i, j whose dominant coordinate is that of `from`, rounded: at most sqrt(3) times as
-/// far as the nearest.
+/// The point of the line of planes i, j whose dominant coordinate is that of `from`, rounded: at most sqrt(3)
+/// times as far as the nearest.
 std::optional<LatticePoint> drop_on_line(const SectionGraph& graph, LatticePointStore& store, std::uint32_t i,
                                          std::uint32_t j, const LatticePoint& from) {
   const int axis = line_axis(graph.planes[i], graph.planes[j]);
@@ -58,8 +61,8 @@ std::optional<LatticePoint> drop_on_line(const SectionGraph& graph, LatticePoint
   return point;
 }
 
-/// Where vertex v of plane i goes when it is near the planes of `near`: the common point of two of their lines if
-/// that is within reach, else the nearest point of one line.
+/// Where vertex v of plane i goes when it is near the planes of `near`: the common point of two of their
+/// lines if that is within reach, else the nearest point of one line.
 std::optional<LatticePoint> target(const SectionGraph& graph, LatticePointStore& store, std::uint32_t i,
                                    std::uint32_t v, const std::vector<std::uint32_t>& near, double reach) {
   const LatticePoint& from = graph.points[v];
@@ -103,28 +106,35 @@ double snapping_tolerance(const LatticePlane& plane) {
   return kSteps * std::max(length(plane.e1), length(plane.e2));
 }
 
-void join_touching(SectionGraph& graph) {
-  for (std::uint32_t p = 0; p < graph.planes.size(); ++p) {
-    std::vector<WallEnds> ends;
-    const auto touches = graph.locator(p, ends).near_touches(snapping_tolerance(graph.planes[p]));
-    for (std::size_t begin = 0, end; begin < touches.size(); begin = end) {
-      const std::uint32_t w = touches[begin][0];
-      const Wall wall = graph.walls[p][w];
-      const Vec3 from = position(graph.points[wall.a]), direction = position(graph.points[wall.b]) - from;
-      std::vector<std::pair<double, std::uint32_t>> through;  // along the wall
-      for (end = begin; end < touches.size() && touches[end][0] == w; ++end)
-        through.emplace_back(dot(position(graph.points[touches[end][1]]) - from, direction), touches[end][1]);
-      std::sort(through.begin(), through.end());
-      for (const auto& [at, v] : through) {
-        Wall rest = graph.walls[p][w];
-        graph.walls[p][w].b = v;
-        rest.a = v;
-        std::swap(graph.walls[p][w], rest);
-        graph.walls[p].push_back(rest);
-      }
+namespace {
+
+void join_touching(SectionGraph& graph, std::uint32_t p, double tolerance) {
+  std::vector<WallEnds> ends;
+  const auto touches = graph.locator(p, ends).near_touches(std::max(snapping_tolerance(graph.planes[p]), tolerance));
+  for (std::size_t begin = 0, end; begin < touches.size(); begin = end) {
+    const std::uint32_t w = touches[begin][0];
+    const Wall wall = graph.walls[p][w];
+    const Vec3 from = position(graph.points[wall.a]), direction = position(graph.points[wall.b]) - from;
+    std::vector<std::pair<double, std::uint32_t>> through;  // along the wall
+    for (end = begin; end < touches.size() && touches[end][0] == w; ++end)
+      through.emplace_back(dot(position(graph.points[touches[end][1]]) - from, direction), touches[end][1]);
+    std::sort(through.begin(), through.end());
+    for (const auto& [at, v] : through) {
+      Wall rest = graph.walls[p][w];
+      graph.walls[p][w].b = v;
+      rest.a = v;
+      std::swap(graph.walls[p][w], rest);
+      graph.walls[p].push_back(rest);
     }
-    cancel_pairs(graph.walls[p]);
   }
+  cancel_pairs(graph.walls[p]);
+}
+
+}  // namespace
+
+bool join_touching(SectionGraph& graph, double tolerance, const Context& context) {
+  return parallel_for(graph.planes.size(), context, "sections",
+                      [&](std::size_t p) { join_touching(graph, static_cast<std::uint32_t>(p), tolerance); });
 }
 
 void move_onto_lines(SectionGraph& graph, const FramedSections& framed, LatticePointStore& store,

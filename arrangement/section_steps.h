@@ -11,51 +11,56 @@ SectionGraph start(const FramedSections& framed);
 /// A few steps of a plane's lattice: how far snapping may bend what was straight, lattice units.
 double snapping_tolerance(const LatticePlane& plane);
 
-/// Equal walls cancel in pairs: a point crosses both or none. Sorts by (a, b), a < b; drops walls without length.
+/// Equal walls cancel in pairs: a point crosses both or none. Sorts by (a, b), a < b; drops walls without
+/// length.
 void cancel_pairs(std::vector<Wall>& walls);
 
-/// Contours of one plane that touch: a wall within the snapping tolerance of another contour's vertex is led through
-/// that vertex, so that the touch survives all later rounding. REQUIRES: nothing cut or moved yet.
-void join_touching(SectionGraph& graph);
+/// Contours of one plane that touch: a wall within `tolerance`, or the snapping tolerance, of another vertex
+/// is led through that vertex, so that the touch survives all later rounding. False if cancelled. REQUIRES:
+/// nothing cut or moved yet.
+bool join_touching(SectionGraph& graph, double tolerance, const Context& context);
 
-/// On: a contour vertex within `tolerance` of another plane, measured on the input coordinates, is a crossing that
-/// the slicer wrote; it moves onto the common line, or onto the arrangement vertex of two such lines. Not if the way
-/// is longer than a quarter of its shorter edge. REQUIRES: vertices numbered as start() left them.
-void move_onto_lines(SectionGraph& graph, const FramedSections& framed, LatticePointStore& store, double tolerance);
+/// On: a contour vertex within `tolerance` of another plane, measured on the input coordinates, is a crossing
+/// that the slicer wrote; it moves onto the common line, or onto the arrangement vertex of two such lines.
+/// Not if the way is longer than a quarter of its shorter edge. REQUIRES: vertices numbered as start() left
+/// them.
+void move_onto_lines(SectionGraph& graph, const FramedSections& framed, LatticePointStore& store,
+                     double tolerance);
 
 /// Cuts every wall at every plane that it crosses. New vertices are line points, rounded along the line to an
-/// integer coordinate such that no sign against another plane changes, else the arrangement vertex in the way.
-/// False if a wall could not be brought to an end (a defect).
+/// integer coordinate such that no sign against another plane changes, else the arrangement vertex in the
+/// way. False if a wall could not be brought to an end (a defect).
 bool cut_at_planes(SectionGraph& graph, LatticePointStore& store, double snap);
 
 /// Match: crossings of different sections on one arrangement edge merge by growing gap.
 void match_crossings(SectionGraph& graph, const Arrangement& arrangement, LatticePointStore& store,
                      double tolerance);
 
-/// Drops vertices of degree 2 that lie in the interior of a face and within a few lattice steps of the segment that
-/// replaces them, but not exactly on it.
+/// Drops vertices of degree 2 that lie in the interior of a face and within a few lattice steps of the
+/// segment that replaces them, but not exactly on it.
 void merge_collinear_runs(SectionGraph& graph);
 
-/// Equal points become one vertex, walls that touch are cut there, doubled walls cancel, unused vertices go, and
-/// everything is put into lexicographic order.
-void unify(SectionGraph& graph, const Arrangement& arrangement);
+/// Equal points become one vertex, walls that touch are cut there, doubled walls cancel, unused vertices go,
+/// and everything is put into lexicographic order.
+void unify(SectionGraph& graph, const Arrangement& arrangement, const Context& context);
 
-/// Drops contour vertices in the interior of faces as long as all that were dropped stay within `tolerance` of the wall in
-/// their place, contours neither cross nor vanish, and sections stay the same on the lines of planes: see
-/// section_simplify.cpp. REQUIRES: unify() done, contours don't cross.
+/// Drops contour vertices in the interior of faces as long as all that were dropped stay within `tolerance`
+/// of the wall in their place, contours neither cross nor vanish, and sections stay the same on the lines of
+/// planes: see section_simplify.cpp. REQUIRES: unify() done, contours don't cross.
 void simplify_contours(SectionGraph& graph, double tolerance);
 
 /// Takes out the vertices without a wall.
 void drop_bare_vertices(SectionGraph& graph);
 
-/// Adds the arrangement vertices that lie in the closed section of one of their planes. True if there are any.
+/// Adds the arrangement vertices that lie in the closed section of one of their planes. True if there are
+/// any.
 bool add_arrangement_vertices(SectionGraph& graph, const Arrangement& arrangement);
 
 /// True iff the ends of the wall are on different sides of a plane.
 bool crosses_a_plane(const SectionGraph& graph, const Wall& wall);
 
-/// The face or edge of the arrangement that holds the open wall; not found if the wall crosses a plane. Its own bits
-/// and a hash: once for each wall of the finished graph, which keeps it.
+/// The face or edge of the arrangement that holds the open wall; not found if the wall crosses a plane. Its
+/// own bits and a hash: once for each wall of the finished graph, which keeps it.
 Location wall_location(const SectionGraph& graph, const Arrangement& arrangement, const Wall& wall);
 
 }  // namespace crossloft::section_steps

@@ -11,7 +11,7 @@ using namespace crossloft::cli;
 
 constexpr const char* kExitCodes =
     "Exit codes: 0 good, 1 a promise does not hold, 2 usage, 3 a file is not readable, not valid or not\n"
-    "writable, 4 a defect of the program, 130 interrupted.";
+    "writable, 4 a defect of the program or no memory left, 130 interrupted.";
 
 /// Help and version are printed and good; everything else is one message and usage.
 ExitCode report_parse_error(const CLI::App& program, const CLI::ParseError& error) {

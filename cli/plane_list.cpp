@@ -46,22 +46,26 @@ Result<CuttingPlane> plane_of(const std::vector<double>& n, const Error& here) {
 
 }  // namespace
 
-Result<std::vector<CuttingPlane>> read_planes(const std::string& path) {
-  const auto text = read_file(path);
-  if (!text) return text.error();
+Result<std::vector<CuttingPlane>> parse_planes(std::string_view text, const std::string& name) {
   std::vector<CuttingPlane> planes;
-  std::string_view rest = *text;
+  std::string_view rest = text;
   for (std::uint32_t line = 1; !rest.empty(); ++line) {
     const std::size_t end = std::min(rest.size(), rest.find('\n'));
     const auto numbers = numbers_of(rest.substr(0, end));
     rest.remove_prefix(std::min(rest.size(), end + 1));
     if (numbers && numbers->empty()) continue;
-    const auto plane = plane_of(numbers.value_or(std::vector<double>{}), {ErrorCode::syntax, "", path, line});
+    const auto plane = plane_of(numbers.value_or(std::vector<double>{}), {ErrorCode::syntax, "", name, line});
     if (!plane) return plane.error();
     planes.push_back(*plane);
   }
-  if (planes.empty()) return Error{ErrorCode::no_plane, "no plane in the file", path};
+  if (planes.empty()) return Error{ErrorCode::no_plane, "no plane in the file", name};
   return planes;
+}
+
+Result<std::vector<CuttingPlane>> read_planes(const std::string& path) {
+  const auto text = read_file(path);
+  if (!text) return text.error();
+  return parse_planes(*text, path);
 }
 
 }  // namespace crossloft::cli

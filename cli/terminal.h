@@ -1,6 +1,7 @@
 #pragma once
 /// The user's side of a command: results on stdout, everything else on stderr, Ctrl-C.
 
+#include <chrono>
 #include <set>
 #include <string>
 #include <string_view>
@@ -11,7 +12,8 @@
 
 namespace crossloft::cli {
 
-/// Makes Ctrl-C and SIGTERM raise the cancel flag of every context made afterwards; a second one kills.
+/// Makes Ctrl-C and SIGTERM raise the cancel flag of every context made afterwards; a second one kills. A file that
+/// grows beyond the limit of the process is a failed write from then on.
 void catch_interrupts();
 
 /// The default again: for work that does not look at the flag, and whose files appear whole or not at all.
@@ -20,7 +22,8 @@ void release_interrupts();
 void ignore_interrupts();
 
 /// Results are printed by print(); notes, warnings, errors and the progress bar go to stderr. The bar is
-/// drawn only if stderr is a terminal. Quiet leaves warnings and errors alone.
+/// drawn only if stderr is a terminal; it estimates what is left of the stage. Quiet leaves warnings and
+/// errors alone.
 class Terminal {
  public:
   explicit Terminal(bool quiet = false);
@@ -43,6 +46,9 @@ class Terminal {
   void clear_progress();
 
   bool quiet_, bar_;
+  std::string stage_;  ///< that the progress line shows
+  std::chrono::steady_clock::time_point stage_start_;
+  double stage_done_ = 0;
   std::string shown_;  ///< the progress line on the screen, empty if there is none
   std::set<std::string, std::less<>> said_;
 };

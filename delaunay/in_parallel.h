@@ -6,10 +6,12 @@
 #include <thread>
 #include <vector>
 
+#include "../geom/failing.h"
+
 namespace crossloft::detail {
 
 /// How many of the threads asked for are worth their while for so many points. More than a few per core gain
-/// nothing, and a system that refuses one would end the program.
+/// nothing.
 inline constexpr unsigned kPointsPerThread = 20'000;
 inline unsigned useful_threads(unsigned wanted, std::size_t points) {
   constexpr unsigned kMost = 256;
@@ -18,13 +20,17 @@ inline unsigned useful_threads(unsigned wanted, std::size_t points) {
   return std::max(1u, std::min({wanted, 4 * cores, enough}));
 }
 
-/// work(0), work(1), .. work(threads - 1), all at once; the last of them over on return.
+/// work(0), work(1), .. work(threads - 1), all at once but for threads that the system refuses; the last of
+/// them over on return, which fails if one of them did.
 template <class Work>
 void in_parallel(unsigned threads, const Work& work) {
-  std::vector<std::thread> others;
-  for (unsigned k = 1; k < threads; ++k) others.emplace_back([&work, k] { work(k); });
-  work(0u);
+  SharedFailure failure;
+  const auto guarded = [&](unsigned k) { failure.keep_from([&] { work(k); }); };
+  std::vector<std::thread> others = start_threads(threads, guarded);
+  guarded(0);
+  for (auto k = static_cast<unsigned>(others.size()) + 1; k < threads; ++k) guarded(k);
   for (std::thread& other : others) other.join();
+  failure.pass_on();
 }
 
 /// work(begin, end, k) on slice k of 0..count-1, for each thread one.

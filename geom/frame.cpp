@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 #include "lattice_reduction.h"
 
@@ -11,6 +12,16 @@ namespace {
 constexpr double kDirectionScale = 70368744177664.0;  // 2^46
 constexpr int kLeastWeight = 20, kGreatestWeight = 60;
 constexpr std::int64_t kAxisLimit = std::int64_t{1} << 30;
+
+/// The axis that the plane is normal to if its lattice is all of the grid on it, as slices along an axis
+/// have; else -1.
+int full_grid_axis(const LatticePlane& plane) {
+  const auto is_unit = [](const LatticeVector& v) {
+    return std::abs(v[0]) + std::abs(v[1]) + std::abs(v[2]) == 1;
+  };
+  if (!is_unit(plane.e1) || !is_unit(plane.e2)) return -1;
+  return dominant_axis(plane.normal);
+}
 
 Wide norm2(const WideVector& v) { return dot(v, v); }
 
@@ -181,6 +192,11 @@ LatticePlane plane_amid(const LatticeVector& normal, std::span<const LatticeVect
 }
 
 LatticeVector snap_to_plane(const LatticePlane& plane, const LatticeVector& p) {
+  if (const int axis = full_grid_axis(plane); axis >= 0) {
+    LatticeVector snapped = p;
+    snapped[static_cast<std::size_t>(axis)] = plane.origin[static_cast<std::size_t>(axis)];
+    return snapped;
+  }
   const WideVector origin = widen(plane.origin);
   return narrow(origin + nearest_combination(widen(plane.e1), widen(plane.e2), widen(p) - origin));
 }

@@ -25,6 +25,8 @@ enum class ErrorCode : std::uint8_t {
   self_crossing,          ///< contour edges of one plane that cross each other
   contradicting_planes,   ///< the same plane given twice with sections that contradict
   no_plane,               ///< a file without a cutting plane
+  too_thin,               ///< contours so close to each other that no triangulation of bearable size follows them
+  out_of_memory,          ///< an allocation failed, in builds with exceptions
   not_closed,             ///< a mesh that bounds no solid, where one is needed
   too_large,              ///< over a limit of an index or coordinate type
   cancelled,              ///< the context's cancel flag was raised

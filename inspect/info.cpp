@@ -1,3 +1,4 @@
+#include "../geom/failing.h"
 #include "info.h"
 
 #include <algorithm>
@@ -76,32 +77,34 @@ void extend_bounds(SectionsInfo& info, const FramedPlane& plane, bool& first) {
 }  // namespace
 
 Result<SectionsInfo> examine(const Sections& sections, double plane_tolerance, const Context& context) {
-  const auto framed = frame_sections(sections, plane_tolerance, context);
-  if (!framed) return framed.error();
-  SectionsInfo info;
-  info.diagonal = framed->diagonal;
-  info.pencils = framed->pencils;
-  info.common_points = framed->common_points;
-  info.notes = framed->notes;
-  info.warnings = framed->warnings;
-  std::set<LatticeVector> normals;
-  bool first = true;
-  for (const FramedPlane& plane : framed->planes) {
-    normals.insert(plane.plane.normal);
-    extend_bounds(info, plane, first);
-    info.planes.push_back(examine_plane(plane, sections));
-    const PlaneInfo& p = info.planes.back();
-    info.sections += p.edges != 0;
-    info.contours += p.contours, info.holes += p.holes;
-    info.vertices += p.vertices, info.edges += p.edges, info.crossing_edges += p.crossing_edges;
-    info.off_plane = std::max(info.off_plane, p.off_plane);
-  }
-  std::sort(info.planes.begin(), info.planes.end(),
-            [](const PlaneInfo& x, const PlaneInfo& y) { return x.plane < y.plane; });
-  info.directions = static_cast<std::uint32_t>(normals.size());
-  if (!framed->planes.empty())
-    if (auto done = compare_lines(*framed, context, info); !done) return done.error();
-  return info;
+  return or_out_of_memory([&]() -> Result<SectionsInfo> {
+    const auto framed = frame_sections(sections, plane_tolerance, context);
+    if (!framed) return framed.error();
+    SectionsInfo info;
+    info.diagonal = framed->diagonal;
+    info.pencils = framed->pencils;
+    info.common_points = framed->common_points;
+    info.notes = framed->notes;
+    info.warnings = framed->warnings;
+    std::set<LatticeVector> normals;
+    bool first = true;
+    for (const FramedPlane& plane : framed->planes) {
+      normals.insert(plane.plane.normal);
+      extend_bounds(info, plane, first);
+      info.planes.push_back(examine_plane(plane, sections));
+      const PlaneInfo& p = info.planes.back();
+      info.sections += p.edges != 0;
+      info.contours += p.contours, info.holes += p.holes;
+      info.vertices += p.vertices, info.edges += p.edges, info.crossing_edges += p.crossing_edges;
+      info.off_plane = std::max(info.off_plane, p.off_plane);
+    }
+    std::sort(info.planes.begin(), info.planes.end(),
+              [](const PlaneInfo& x, const PlaneInfo& y) { return x.plane < y.plane; });
+    info.directions = static_cast<std::uint32_t>(normals.size());
+    if (!framed->planes.empty())
+      if (auto done = compare_lines(*framed, context, info); !done) return done.error();
+    return info;
+  });
 }
 
 }  // namespace crossloft

@@ -1,4 +1,5 @@
 #include "slice.h"
+#include "../geom/failing.h"
 
 #include <algorithm>
 #include <array>
@@ -297,7 +298,7 @@ class Slicer {
 }  // namespace
 
 Result<Sections> slice(const Surface& closed_mesh, std::span<const CuttingPlane> planes) {
-  return Slicer(closed_mesh, planes).run();
+  return or_out_of_memory([&]() -> Result<Sections> { return Slicer(closed_mesh, planes).run(); });
 }
 
 }  // namespace crossloft

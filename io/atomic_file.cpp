@@ -1,4 +1,5 @@
 #include "atomic_file.h"
+#include "../geom/failing.h"
 
 #include <cerrno>
 #include <filesystem>
@@ -65,16 +66,18 @@ Result<Done> read_pieces(const std::string& path, const std::function<bool(std::
 }
 
 Result<std::string> read_file(const std::string& path) {
-  std::string bytes;
-  std::error_code unknown;
-  const auto size = fs::file_size(path, unknown);
-  if (!unknown) bytes.reserve(static_cast<std::size_t>(size));
-  const Result<Done> read = read_pieces(path, [&](std::string_view piece) {
-    bytes.append(piece);
-    return true;
+  return or_out_of_memory([&]() -> Result<std::string> {
+    std::string bytes;
+    std::error_code unknown;
+    const auto size = fs::file_size(path, unknown);
+    if (!unknown) bytes.reserve(static_cast<std::size_t>(size));
+    const Result<Done> read = read_pieces(path, [&](std::string_view piece) {
+      bytes.append(piece);
+      return true;
+    });
+    if (!read.ok()) return read.error();
+    return bytes;
   });
-  if (!read.ok()) return read.error();
-  return bytes;
 }
 
 Result<AtomicFile> AtomicFile::create(const std::string& path) {
@@ -138,10 +141,12 @@ Result<Done> AtomicFile::commit() {
 }
 
 Result<Done> write_file(const std::string& path, std::string_view bytes) {
-  Result<AtomicFile> file = AtomicFile::create(path);
-  if (!file.ok()) return file.error();
-  file->append(bytes);
-  return file->commit();
+  return or_out_of_memory([&]() -> Result<Done> {
+    Result<AtomicFile> file = AtomicFile::create(path);
+    if (!file.ok()) return file.error();
+    file->append(bytes);
+    return file->commit();
+  });
 }
 
 }  // namespace crossloft

@@ -3,6 +3,7 @@
 #include <utility>
 #include <vector>
 
+#include "../geom/failing.h"
 #include "read_sections.h"
 #include "section_conventions.h"
 #include "token_reader.h"
@@ -92,22 +93,24 @@ PlaneSection read_plane(TokenReader& in) {
 }  // namespace
 
 Result<Sections> parse_contour(std::string_view text, std::string name, const Context& context) {
-  Sections sections;
-  sections.source = name;
-  TokenReader in(text, std::move(name));
-  const std::uint32_t planes = in.count("the number of planes");
-  if (planes == 0) in.fail(ErrorCode::no_plane, "the file has no cutting plane");
-  for (std::uint32_t p = 0; p < planes && in.ok(); ++p) {
-    if (context.cancelled()) in.fail(ErrorCode::cancelled, "reading was cancelled");
-    in.enter(p);
-    sections.planes.push_back(read_plane(in));
-  }
-  in.enter(kNone);
-  in.expect_end();
-  if (!in.ok()) return in.error();
-  settle_sign_of_offset(sections, context);
-  note_materials(sections, context);
-  return sections;
+  return or_out_of_memory([&]() -> Result<Sections> {
+    Sections sections;
+    sections.source = name;
+    TokenReader in(text, std::move(name));
+    const std::uint32_t planes = in.count("the number of planes");
+    if (planes == 0) in.fail(ErrorCode::no_plane, "the file has no cutting plane");
+    for (std::uint32_t p = 0; p < planes && in.ok(); ++p) {
+      if (context.cancelled()) in.fail(ErrorCode::cancelled, "reading was cancelled");
+      in.enter(p);
+      sections.planes.push_back(read_plane(in));
+    }
+    in.enter(kNone);
+    in.expect_end();
+    if (!in.ok()) return in.error();
+    settle_sign_of_offset(sections, context);
+    note_materials(sections, context);
+    return sections;
+  });
 }
 
 }  // namespace crossloft

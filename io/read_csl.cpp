@@ -2,6 +2,7 @@
 #include <utility>
 #include <vector>
 
+#include "../geom/failing.h"
 #include "read_sections.h"
 #include "section_conventions.h"
 #include "token_reader.h"
@@ -135,7 +136,8 @@ class CslReader {
 }  // namespace
 
 Result<Sections> parse_csl(std::string_view text, std::string name, const Context& context) {
-  return CslReader(text, std::move(name), context).read();
+  return or_out_of_memory(
+      [&]() -> Result<Sections> { return CslReader(text, std::move(name), context).read(); });
 }
 
 }  // namespace crossloft

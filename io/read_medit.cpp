@@ -2,6 +2,7 @@
 #include <string>
 #include <utility>
 
+#include "../geom/failing.h"
 #include "read_mesh.h"
 #include "token_reader.h"
 
@@ -27,8 +28,9 @@ void read_medit_tets(TokenReader& in, Solid& solid) {
     for (std::uint32_t& corner : corners) {
       const std::int32_t number = in.integer("a corner of a tetrahedron");
       if (number < 1 || static_cast<std::size_t>(number) > solid.points.size()) {
-        in.fail(ErrorCode::index_out_of_range, "a tetrahedron names vertex " + std::to_string(number) +
-                                                   " of " + std::to_string(solid.points.size()));
+        in.fail(ErrorCode::index_out_of_range, "a corner of a tetrahedron is " + std::to_string(number) +
+                                                   ", but there are " + std::to_string(solid.points.size()) +
+                                                   ", counted from 1");
       }
       corner = static_cast<std::uint32_t>(number - 1);
     }
@@ -40,25 +42,27 @@ void read_medit_tets(TokenReader& in, Solid& solid) {
 }  // namespace
 
 Result<Solid> parse_medit(std::string_view text, std::string name) {
-  Solid solid;
-  TokenReader in(text, std::move(name), '#');
-  if (in.token("the word MeshVersionFormatted") != "MeshVersionFormatted") {
-    in.fail(ErrorCode::syntax, "the file does not begin with the word MeshVersionFormatted");
-  }
-  while (in.ok() && !in.at_end()) {
-    const std::string_view keyword = in.token("a keyword");
-    if (keyword == "End") break;
-    if (keyword == "Vertices") {
-      read_medit_vertices(in, solid);
-    } else if (keyword == "Tetrahedra") {
-      read_medit_tets(in, solid);
-    } else if (keyword == "Dimension" && in.integer("the dimension") != 3) {
-      in.fail(ErrorCode::syntax, "the mesh is not three-dimensional");
+  return or_out_of_memory([&]() -> Result<Solid> {
+    Solid solid;
+    TokenReader in(text, std::move(name), '#');
+    if (in.token("the word MeshVersionFormatted") != "MeshVersionFormatted") {
+      in.fail(ErrorCode::syntax, "the file does not begin with the word MeshVersionFormatted");
     }
-    // Anything else is the name or a number of a section without interest here.
-  }
-  if (!in.ok()) return in.error();
-  return solid;
+    while (in.ok() && !in.at_end()) {
+      const std::string_view keyword = in.token("a keyword");
+      if (keyword == "End") break;
+      if (keyword == "Vertices") {
+        read_medit_vertices(in, solid);
+      } else if (keyword == "Tetrahedra") {
+        read_medit_tets(in, solid);
+      } else if (keyword == "Dimension" && in.integer("the dimension") != 3) {
+        in.fail(ErrorCode::syntax, "the mesh is not three-dimensional");
+      }
+      // Anything else is the name or a number of a section without interest here.
+    }
+    if (!in.ok()) return in.error();
+    return solid;
+  });
 }
 
 }  // namespace crossloft

@@ -2,6 +2,7 @@
 #include <utility>
 #include <vector>
 
+#include "../geom/failing.h"
 #include "read_mesh.h"
 #include "surface_builder.h"
 #include "token_reader.h"
@@ -33,24 +34,26 @@ std::uint32_t read_corner(TokenReader& in, std::size_t vertices) {
 }  // namespace
 
 Result<Surface> parse_obj(std::string_view text, std::string name) {
-  Surface surface;
-  std::vector<std::uint32_t> corners;
-  TokenReader in(text, std::move(name), '#');
-  while (in.ok() && !in.at_end()) {
-    const std::string_view keyword = in.token("a keyword");
-    if (keyword == "v") {
-      surface.points.push_back(in.point("a vertex coordinate"));
-      if (surface.points.size() >= kNone)
-        in.fail(ErrorCode::too_large, "the file has more than 2^32 - 2 vertices");
-    } else if (keyword == "f") {
-      corners.clear();
-      while (in.ok() && !in.at_line_end()) corners.push_back(read_corner(in, surface.points.size()));
-      add_polygon(in, surface, corners);
+  return or_out_of_memory([&]() -> Result<Surface> {
+    Surface surface;
+    std::vector<std::uint32_t> corners;
+    TokenReader in(text, std::move(name), '#');
+    while (in.ok() && !in.at_end()) {
+      const std::string_view keyword = in.token("a keyword");
+      if (keyword == "v") {
+        surface.points.push_back(in.point("a vertex coordinate"));
+        if (surface.points.size() >= kNone)
+          in.fail(ErrorCode::too_large, "the file has more than 2^32 - 2 vertices");
+      } else if (keyword == "f") {
+        corners.clear();
+        while (in.ok() && !in.at_line_end()) corners.push_back(read_corner(in, surface.points.size()));
+        add_polygon(in, surface, corners);
+      }
+      in.skip_line();
     }
-    in.skip_line();
-  }
-  if (!in.ok()) return in.error();
-  return surface;
+    if (!in.ok()) return in.error();
+    return surface;
+  });
 }
 
 }  // namespace crossloft

@@ -1,6 +1,7 @@
 #include <utility>
 #include <vector>
 
+#include "../geom/failing.h"
 #include "read_mesh.h"
 #include "surface_builder.h"
 #include "token_reader.h"
@@ -37,21 +38,23 @@ void read_face(TokenReader& in, Surface& surface, std::vector<std::uint32_t>& co
 }  // namespace
 
 Result<Surface> parse_off(std::string_view text, std::string name) {
-  constexpr std::size_t kLeastVertexBytes = 6, kLeastFaceBytes = 8;  // "0 0 0 " and "3 0 1 2 "
-  Surface surface;
-  std::vector<std::uint32_t> corners;
-  TokenReader in(text, std::move(name), '#');
-  const auto [vertices, faces] = read_header(in);
-  surface.points.reserve(in.room_for(vertices, kLeastVertexBytes));
-  for (std::uint32_t v = 0; v < vertices && in.ok(); ++v) {
-    surface.points.push_back(in.point("a vertex coordinate"));
-    in.skip_line();  // normals and colours
-  }
-  surface.triangles.reserve(in.room_for(faces, kLeastFaceBytes));
-  for (std::uint32_t f = 0; f < faces && in.ok(); ++f) read_face(in, surface, corners);
-  in.expect_end();
-  if (!in.ok()) return in.error();
-  return surface;
+  return or_out_of_memory([&]() -> Result<Surface> {
+    constexpr std::size_t kLeastVertexBytes = 6, kLeastFaceBytes = 8;  // "0 0 0 " and "3 0 1 2 "
+    Surface surface;
+    std::vector<std::uint32_t> corners;
+    TokenReader in(text, std::move(name), '#');
+    const auto [vertices, faces] = read_header(in);
+    surface.points.reserve(in.room_for(vertices, kLeastVertexBytes));
+    for (std::uint32_t v = 0; v < vertices && in.ok(); ++v) {
+      surface.points.push_back(in.point("a vertex coordinate"));
+      in.skip_line();  // normals and colours
+    }
+    surface.triangles.reserve(in.room_for(faces, kLeastFaceBytes));
+    for (std::uint32_t f = 0; f < faces && in.ok(); ++f) read_face(in, surface, corners);
+    in.expect_end();
+    if (!in.ok()) return in.error();
+    return surface;
+  });
 }
 
 }  // namespace crossloft

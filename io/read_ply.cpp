@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "../geom/failing.h"
 #include "byte_reader.h"
 #include "read_mesh.h"
 #include "surface_builder.h"
@@ -242,23 +243,25 @@ std::string_view after_line_end(std::string_view bytes) {
 }  // namespace
 
 Result<Surface> parse_ply(std::string_view bytes, std::string name) {
-  TokenReader in(bytes, std::move(name));
-  const Header header = read_header(in);
-  if (!in.ok()) return in.error();
+  return or_out_of_memory([&]() -> Result<Surface> {
+    TokenReader in(bytes, std::move(name));
+    const Header header = read_header(in);
+    if (!in.ok()) return in.error();
 
-  std::optional<ByteReader> binary;
-  if (!header.ascii) binary.emplace(after_line_end(bytes.substr(in.offset())), header.order);
-  Body body(in, binary);
-  Surface surface;
-  constexpr std::size_t kLeastVertexBytes = 3;  // three int8
-  surface.points.reserve(in.room_for(header.vertices, kLeastVertexBytes));
-  ElementReader reader(body, header.vertices, surface);
-  for (const Element& element : header.elements) reader.read(element);
-  if (header.ascii) in.expect_end();
-  if (in.ok()) return surface;
-  Error error = in.error();
-  if (!header.ascii) error.line = 0;
-  return error;
+    std::optional<ByteReader> binary;
+    if (!header.ascii) binary.emplace(after_line_end(bytes.substr(in.offset())), header.order);
+    Body body(in, binary);
+    Surface surface;
+    constexpr std::size_t kLeastVertexBytes = 3;  // three int8
+    surface.points.reserve(in.room_for(header.vertices, kLeastVertexBytes));
+    ElementReader reader(body, header.vertices, surface);
+    for (const Element& element : header.elements) reader.read(element);
+    if (header.ascii) in.expect_end();
+    if (in.ok()) return surface;
+    Error error = in.error();
+    if (!header.ascii) error.line = 0;
+    return error;
+  });
 }
 
 }  // namespace crossloft

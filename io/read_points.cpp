@@ -1,4 +1,5 @@
 #include "read_points.h"
+#include "../geom/failing.h"
 
 #include <algorithm>
 #include <array>
@@ -131,30 +132,35 @@ bool is_text(const std::string& extension) {
 }  // namespace
 
 Result<std::vector<Vec3>> parse_points(std::string_view text, std::string name) {
-  return parse<3>(text, std::move(name));
+  return or_out_of_memory([&]() -> Result<std::vector<Vec3>> { return parse<3>(text, std::move(name)); });
 }
 
 Result<std::vector<WeightedPoint>> parse_weighted_points(std::string_view text, std::string name) {
-  return parse<4>(text, std::move(name));
+  return or_out_of_memory(
+      [&]() -> Result<std::vector<WeightedPoint>> { return parse<4>(text, std::move(name)); });
 }
 
 Result<std::vector<Vec3>> read_points(const std::string& path) {
-  const std::string extension = file_extension(path);
-  if (is_text(extension)) return read_text<3>(path);
-  if (extension == "f64") return read_raw<3>(path);
-  if (extension != "off" && extension != "ply")
-    return unknown_extension(path, ".txt, .xyz, .pts, .f64, .off and .ply");
-  Result<Surface> surface = read_surface(path);
-  if (!surface.ok()) return surface.error();
-  if (surface->points.size() > kMostPoints) return too_many(path);
-  return std::move(surface->points);
+  return or_out_of_memory([&]() -> Result<std::vector<Vec3>> {
+    const std::string extension = file_extension(path);
+    if (is_text(extension)) return read_text<3>(path);
+    if (extension == "f64") return read_raw<3>(path);
+    if (extension != "off" && extension != "ply")
+      return unknown_extension(path, ".txt, .xyz, .pts, .f64, .off and .ply");
+    Result<Surface> surface = read_surface(path);
+    if (!surface.ok()) return surface.error();
+    if (surface->points.size() > kMostPoints) return too_many(path);
+    return std::move(surface->points);
+  });
 }
 
 Result<std::vector<WeightedPoint>> read_weighted_points(const std::string& path) {
-  const std::string extension = file_extension(path);
-  if (is_text(extension)) return read_text<4>(path);
-  if (extension == "f64") return read_raw<4>(path);
-  return unknown_extension(path, ".txt, .xyz, .pts and .f64, which have weights");
+  return or_out_of_memory([&]() -> Result<std::vector<WeightedPoint>> {
+    const std::string extension = file_extension(path);
+    if (is_text(extension)) return read_text<4>(path);
+    if (extension == "f64") return read_raw<4>(path);
+    return unknown_extension(path, ".txt, .xyz, .pts and .f64, which have weights");
+  });
 }
 
 }  // namespace crossloft

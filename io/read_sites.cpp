@@ -1,4 +1,5 @@
 #include "read_sites.h"
+#include "../geom/failing.h"
 
 #include <utility>
 
@@ -23,18 +24,22 @@ MoebiusSite read_site(TokenReader& in) {
 }  // namespace
 
 Result<std::vector<MoebiusSite>> parse_sites(std::string_view text, std::string name) {
-  std::vector<MoebiusSite> sites;
-  TokenReader in(text, std::move(name), '#');
-  while (in.ok() && !in.at_end()) sites.push_back(read_site(in));
-  if (sites.empty()) in.fail(ErrorCode::truncated, "no site in the file");
-  if (!in.ok()) return in.error();
-  return sites;
+  return or_out_of_memory([&]() -> Result<std::vector<MoebiusSite>> {
+    std::vector<MoebiusSite> sites;
+    TokenReader in(text, std::move(name), '#');
+    while (in.ok() && !in.at_end()) sites.push_back(read_site(in));
+    if (sites.empty()) in.fail(ErrorCode::truncated, "no site in the file");
+    if (!in.ok()) return in.error();
+    return sites;
+  });
 }
 
 Result<std::vector<MoebiusSite>> read_sites(const std::string& path) {
-  const Result<std::string> text = read_file(path);
-  if (!text.ok()) return text.error();
-  return parse_sites(*text, path);
+  return or_out_of_memory([&]() -> Result<std::vector<MoebiusSite>> {
+    const Result<std::string> text = read_file(path);
+    if (!text.ok()) return text.error();
+    return parse_sites(*text, path);
+  });
 }
 
 }  // namespace crossloft

@@ -4,6 +4,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "../geom/failing.h"
 #include "byte_reader.h"
 #include "read_mesh.h"
 #include "token_reader.h"
@@ -135,8 +136,10 @@ Result<Surface> parse_ascii(std::string_view text, std::string name, const Conte
 }  // namespace
 
 Result<Surface> parse_stl(std::string_view bytes, std::string name, const Context& context) {
-  return is_binary(bytes) ? parse_binary(bytes, std::move(name), context)
-                          : parse_ascii(bytes, std::move(name), context);
+  return or_out_of_memory([&]() -> Result<Surface> {
+    return is_binary(bytes) ? parse_binary(bytes, std::move(name), context)
+                            : parse_ascii(bytes, std::move(name), context);
+  });
 }
 
 }  // namespace crossloft

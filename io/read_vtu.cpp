@@ -1,6 +1,7 @@
 #include <optional>
 #include <string>
 
+#include "../geom/failing.h"
 #include "byte_reader.h"
 #include "read_mesh.h"
 #include "token_reader.h"
@@ -72,39 +73,41 @@ bool all_tetrahedra(ByteReader types, std::uint64_t cells) {
 }  // namespace
 
 Result<Solid> parse_vtu(std::string_view bytes, std::string name) {
-  const auto bad = [&](ErrorCode code, const char* what) {
-    return Error{.code = code, .message = what, .file = name};
-  };
-  const VtuReader vtu(bytes);
-  const auto points = vtu.number("<Piece", "NumberOfPoints"), cells = vtu.number("<Piece", "NumberOfCells");
-  if (!vtu.is_known_layout() || !points.has_value() || !cells.has_value()) {
-    return bad(ErrorCode::syntax, "the file is no .vtu of the layout written by Crossloft");
-  }
-  auto coordinates = vtu.array("type=\"Float64\" Name=\"Points\"", *points, 24);
-  const auto types = vtu.array("type=\"UInt8\" Name=\"types\"", *cells, 1);
-  if (types.has_value() && !all_tetrahedra(*types, *cells))
-    return bad(ErrorCode::syntax, "a cell is no tetrahedron");
-  auto corners = vtu.array("type=\"Int32\" Name=\"connectivity\"", *cells, 16);
-  if (!coordinates.has_value() || !corners.has_value() || !types.has_value()) {
-    return bad(ErrorCode::truncated,
-               "a data array is missing or does not have the length that the header says");
-  }
-  Solid solid;
-  solid.points.resize(static_cast<std::size_t>(*points));
-  for (Vec3& p : solid.points) {
-    p.x = coordinates->read<double>(), p.y = coordinates->read<double>(), p.z = coordinates->read<double>();
-    if (!is_finite(p))
-      return bad(ErrorCode::not_finite, "a vertex has a coordinate that is no finite number");
-  }
-  solid.tets.resize(static_cast<std::size_t>(*cells));
-  for (auto& tet : solid.tets) {
-    for (std::uint32_t& corner : tet) {
-      corner = corners->read<std::uint32_t>();
-      if (corner >= *points)
-        return bad(ErrorCode::index_out_of_range, "a tetrahedron names a missing vertex");
+  return or_out_of_memory([&]() -> Result<Solid> {
+    const auto bad = [&](ErrorCode code, const char* what) {
+      return Error{.code = code, .message = what, .file = name};
+    };
+    const VtuReader vtu(bytes);
+    const auto points = vtu.number("<Piece", "NumberOfPoints"), cells = vtu.number("<Piece", "NumberOfCells");
+    if (!vtu.is_known_layout() || !points.has_value() || !cells.has_value()) {
+      return bad(ErrorCode::syntax, "the file is no .vtu of the layout written by Crossloft");
     }
-  }
-  return solid;
+    auto coordinates = vtu.array("type=\"Float64\" Name=\"Points\"", *points, 24);
+    const auto types = vtu.array("type=\"UInt8\" Name=\"types\"", *cells, 1);
+    if (types.has_value() && !all_tetrahedra(*types, *cells))
+      return bad(ErrorCode::syntax, "a cell is no tetrahedron");
+    auto corners = vtu.array("type=\"Int32\" Name=\"connectivity\"", *cells, 16);
+    if (!coordinates.has_value() || !corners.has_value() || !types.has_value()) {
+      return bad(ErrorCode::truncated,
+                 "a data array is missing or does not have the length that the header says");
+    }
+    Solid solid;
+    solid.points.resize(static_cast<std::size_t>(*points));
+    for (Vec3& p : solid.points) {
+      p.x = coordinates->read<double>(), p.y = coordinates->read<double>(), p.z = coordinates->read<double>();
+      if (!is_finite(p))
+        return bad(ErrorCode::not_finite, "a vertex has a coordinate that is no finite number");
+    }
+    solid.tets.resize(static_cast<std::size_t>(*cells));
+    for (auto& tet : solid.tets) {
+      for (std::uint32_t& corner : tet) {
+        corner = corners->read<std::uint32_t>();
+        if (corner >= *points)
+          return bad(ErrorCode::index_out_of_range, "a tetrahedron names a missing vertex");
+      }
+    }
+    return solid;
+  });
 }
 
 }  // namespace crossloft

@@ -1,5 +1,6 @@
 #include <set>
 
+#include "../geom/failing.h"
 #include "byte_writer.h"
 #include "section_loops.h"
 #include "write_sections.h"
@@ -35,26 +36,29 @@ void append_plane(std::string& text, std::size_t number, const PlaneSection& pla
 }  // namespace
 
 Result<std::string> format_csl(const Sections& sections, const Context& context) {
-  std::set<std::int32_t> labels{0};  // 0 stands for the outside, which NLABELS counts
-  std::string planes;
-  bool mixed = false;
-  for (std::uint32_t p = 0; p < sections.planes.size(); ++p) {
-    Result<std::vector<SectionLoop>> loops = section_loops(sections.planes[p]);
-    if (!loops.ok()) {
-      loops.error().file = sections.source;
-      loops.error().plane = p;
-      return loops.error();
+  return or_out_of_memory([&]() -> Result<std::string> {
+    std::set<std::int32_t> labels{0};  // 0 stands for the outside, which NLABELS counts
+    std::string planes;
+    bool mixed = false;
+    for (std::uint32_t p = 0; p < sections.planes.size(); ++p) {
+      Result<std::vector<SectionLoop>> loops = section_loops(sections.planes[p]);
+      if (!loops.ok()) {
+        loops.error().file = sections.source;
+        loops.error().plane = p;
+        return loops.error();
+      }
+      for (const SectionLoop& loop : *loops) {
+        labels.insert(loop.material);
+        mixed = mixed || loop.mixed;
+      }
+      append_plane(planes, p + 1, sections.planes[p], *loops);
     }
-    for (const SectionLoop& loop : *loops) {
-      labels.insert(loop.material);
-      mixed = mixed || loop.mixed;
-    }
-    append_plane(planes, p + 1, sections.planes[p], *loops);
-  }
-  if (mixed)
-    context.warn(".csl knows one material per contour: where a contour bounds several, the first is written");
-  return "CSLC\n" + std::to_string(sections.planes.size()) + ' ' + std::to_string(labels.size()) + '\n' +
-         planes;
+    if (mixed)
+      context.warn(
+          ".csl knows one material per contour: where a contour bounds several, the first is written");
+    return "CSLC\n" + std::to_string(sections.planes.size()) + ' ' + std::to_string(labels.size()) + '\n' +
+           planes;
+  });
 }
 
 }  // namespace crossloft

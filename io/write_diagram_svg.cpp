@@ -1,4 +1,5 @@
 #include "write_diagram_svg.h"
+#include "../geom/failing.h"
 
 #include <algorithm>
 #include <array>
@@ -230,16 +231,20 @@ ViewBox view_of(const MoebiusDiagram& diagram) {
 }
 
 Result<std::string> format_diagram_svg(const MoebiusDiagram& diagram, const DiagramDrawing& drawing) {
-  const Result<PageMap> map = page_for(diagram, drawing);
-  if (!map.ok()) return map.error();
-  return DiagramPage(diagram, drawing, *map).draw();
+  return or_out_of_memory([&]() -> Result<std::string> {
+    const Result<PageMap> map = page_for(diagram, drawing);
+    if (!map.ok()) return map.error();
+    return DiagramPage(diagram, drawing, *map).draw();
+  });
 }
 
 Result<Done> write_diagram_svg(const std::string& path, const MoebiusDiagram& diagram,
                                const DiagramDrawing& drawing) {
-  const Result<std::string> text = format_diagram_svg(diagram, drawing);
-  if (!text.ok()) return text.error();
-  return write_file(path, *text);
+  return or_out_of_memory([&]() -> Result<Done> {
+    const Result<std::string> text = format_diagram_svg(diagram, drawing);
+    if (!text.ok()) return text.error();
+    return write_file(path, *text);
+  });
 }
 
 }  // namespace crossloft

@@ -1,4 +1,5 @@
 #include "write_face_svg.h"
+#include "../geom/failing.h"
 
 #include <algorithm>
 
@@ -106,7 +107,7 @@ std::string format_face_svg(const FaceDrawing& drawing) {
 }
 
 Result<Done> write_face_svg(const std::string& path, const FaceDrawing& drawing) {
-  return write_file(path, format_face_svg(drawing));
+  return or_out_of_memory([&]() -> Result<Done> { return write_file(path, format_face_svg(drawing)); });
 }
 
 }  // namespace crossloft

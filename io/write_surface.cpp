@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "../geom/failing.h"
 #include "byte_writer.h"
 #include "file_extension.h"
 #include "write_mesh.h"
@@ -98,19 +99,21 @@ Result<Done> check(const std::string& path, const Surface& surface) {
 }  // namespace
 
 Result<Done> write_surface(const std::string& path, const Surface& surface, const Context& context) {
-  const std::string extension = file_extension(path);
-  const Writer write = writer_for(extension);
-  if (write == nullptr) return unknown_extension(path, ".ply, .obj, .off and .stl");
-  if (Result<Done> good = check(path, surface); !good.ok()) return good;
-  if (extension == "stl") {
-    context.warn(
-        "STL rounds to 32 bits and its readers join equal points: the file can't carry the guarantees");
-  }
-  Result<AtomicFile> file = AtomicFile::create(path);
-  if (!file.ok()) return file.error();
-  ByteWriter out(std::move(*file), context);
-  write(out, surface);
-  return out.finish();
+  return or_out_of_memory([&]() -> Result<Done> {
+    const std::string extension = file_extension(path);
+    const Writer write = writer_for(extension);
+    if (write == nullptr) return unknown_extension(path, ".ply, .obj, .off and .stl");
+    if (Result<Done> good = check(path, surface); !good.ok()) return good;
+    if (extension == "stl") {
+      context.warn(
+          "STL rounds to 32 bits and its readers join equal points: the file can't carry the guarantees");
+    }
+    Result<AtomicFile> file = AtomicFile::create(path);
+    if (!file.ok()) return file.error();
+    ByteWriter out(std::move(*file), context);
+    write(out, surface);
+    return out.finish();
+  });
 }
 
 }  // namespace crossloft

@@ -1,4 +1,5 @@
 #include "write_triangulation.h"
+#include "../geom/failing.h"
 
 #include "cell_writer.h"
 #include "triangulation_cells.h"
@@ -7,8 +8,10 @@ namespace crossloft {
 
 Result<Done> write_triangulation(const std::string& path, std::span<const Vec3> points,
                                  const Triangulation& triangulation, const Context& context) {
-  return visit_cells(triangulation,
-                     [&](const auto& cells) { return detail::write_cells(path, points, cells, context); });
+  return or_out_of_memory([&]() -> Result<Done> {
+    return visit_cells(triangulation,
+                       [&](const auto& cells) { return detail::write_cells(path, points, cells, context); });
+  });
 }
 
 }  // namespace crossloft

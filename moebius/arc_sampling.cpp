@@ -93,8 +93,9 @@ bool clip(const FaceArc& arc, const Box2& box, Piece& piece) {
   };
   cut(base.x, direction.x, box.low.x, box.high.x);
   cut(base.y, direction.y, box.low.y, box.high.y);
-  piece.from = low == from ? arc.from : base + low * direction;
-  piece.to = high == to ? arc.to : base + high * direction;
+  // An end may be far from its line: a vertex where nearly parallel arcs meet is rounded along all of them.
+  piece.from = low == from && contains(box, arc.from) ? arc.from : base + low * direction;
+  piece.to = high == to && contains(box, arc.to) ? arc.to : base + high * direction;
   return low <= high;
 }
 
@@ -108,10 +109,19 @@ void sample_line(const FaceArc& arc, double spacing, const Box2& box, std::vecto
   sample(piece, halvings(piece, spacing), all, points);
 }
 
+/// Whether the ends are where the circle is, but for an eighth of its radius: else halving leads nowhere.
+bool ends_on_circle(const FaceArc& arc) {
+  const auto is_on = [&](Vec2 end) {
+    return std::fabs(length(end - arc.curve.centre) - arc.curve.radius) <= arc.curve.radius / 8;
+  };
+  return is_on(arc.from) && is_on(arc.to);
+}
+
 }  // namespace
 
 void sample_arc(const FaceArc& arc, double spacing, const Box2& box, std::vector<Vec2>& points) {
   if (arc.curve.is_line) return sample_line(arc, spacing, box, points);
+  if (!ends_on_circle(arc)) return;
   const Piece all{arc.from, arc.to, arc.curve.radius, arc.clockwise ? -1.0 : 1.0};
   if (contains(box, arc.from)) points.push_back(arc.from);
   if (!arc.whole && !arc.over_half) return sample(all, halvings(all, spacing), box, points);

@@ -1,4 +1,5 @@
 #include "diagram.h"
+#include "../geom/failing.h"
 
 #include <cmath>
 
@@ -46,22 +47,24 @@ MoebiusCurve moebius_curve(const MoebiusSite& i, const MoebiusSite& j) {
 }
 
 Result<MoebiusDiagram> moebius_diagram(std::span<const MoebiusSite> sites) {
-  for (std::size_t i = 0; i < sites.size(); ++i)
-    if (!is_finite(sites[i]))
-      return make_error(ErrorCode::usage, "site " + std::to_string(i) + " is not finite");
-  const SitePredicates predicates(sites);
-  Regular3 triangulation(predicates);
-  triangulation.build();
-  DiagramBuilder builder(predicates);
-  if (triangulation.dimension() == 3) add_facets(predicates, triangulation.tet_mesh(), builder);
-  if (triangulation.dimension() == 2) add_facets(predicates, triangulation.tri_mesh(), builder);
-  if (triangulation.dimension() == 1) {
-    const auto& chain = triangulation.chain();
-    for (std::size_t k = 1; k < chain.size(); ++k) builder.add_facet(chain[k - 1], chain[k], {});
-  }
-  MoebiusDiagram diagram = builder.finish();
-  diagram.sites.assign(sites.begin(), sites.end());
-  return diagram;
+  return or_out_of_memory([&]() -> Result<MoebiusDiagram> {
+    for (std::size_t i = 0; i < sites.size(); ++i)
+      if (!is_finite(sites[i]))
+        return make_error(ErrorCode::usage, "site " + std::to_string(i) + " is not finite");
+    const SitePredicates predicates(sites);
+    Regular3 triangulation(predicates);
+    triangulation.build();
+    DiagramBuilder builder(predicates);
+    if (triangulation.dimension() == 3) add_facets(predicates, triangulation.tet_mesh(), builder);
+    if (triangulation.dimension() == 2) add_facets(predicates, triangulation.tri_mesh(), builder);
+    if (triangulation.dimension() == 1) {
+      const auto& chain = triangulation.chain();
+      for (std::size_t k = 1; k < chain.size(); ++k) builder.add_facet(chain[k - 1], chain[k], {});
+    }
+    MoebiusDiagram diagram = builder.finish();
+    diagram.sites.assign(sites.begin(), sites.end());
+    return diagram;
+  });
 }
 
 }  // namespace crossloft

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-
 namespace crossloft {
 namespace {
 
@@ -55,8 +54,7 @@ Surface assemble_surface(const GluedSurface& glued, const Numbering& numbering, 
 }
 
 Sections assemble_sections(const FramedSections& framed, const SectionGraph& graph,
-                           std::span<const FaceTriangulation> faces,
-                           const Numbering& numbering) {
+                           std::span<const FaceTriangulation> faces, const Numbering& numbering) {
   struct Piece {
     std::uint32_t a, b;
     const Wall* wall;

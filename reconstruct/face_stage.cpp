@@ -1,8 +1,10 @@
 /// Faces of the arrangement: triangulated, and again if samples come.
 
-#include "pipeline.h"
+#include <algorithm>
+#include <string>
 
 #include "assemble.h"
+#include "pipeline.h"
 
 namespace crossloft {
 
@@ -29,15 +31,23 @@ Result<Done> Pipeline::triangulate_faces() {
 }
 
 Result<Done> Pipeline::refine_faces(std::span<const std::vector<LatticePoint>> samples) {
+  std::vector<std::uint8_t> left_out(faces_.size(), 0);
   const auto good = for_all(faces_.size(), "faces", [&](std::size_t f) -> Result<Done> {
     if (samples[f].empty()) return Done{};
     const auto& locator = locators_[faces_[f].plane];
     auto face = refine_face(graph_, *arrangement_, locator, inputs_[f], faces_[f], samples[f]);
+    if (!face && face.error().code == ErrorCode::too_thin) {
+      left_out[f] = 1;
+      return Done{};  // it has a triangulation without samples
+    }
     if (!face) return face.error();
     faces_[f] = std::move(face).value();
     return Done{};
   });
   if (!good) return good;
+  if (const auto faces = std::count(left_out.begin(), left_out.end(), 1); faces != 0)
+    note(std::to_string(faces) + (faces == 1 ? " face goes" : " faces go") +
+         " without branching samples: contours come too close to them");
   const Numbering before = std::move(numbering_);
   numbering_ = number_vertices(graph_, faces_);
   const std::vector<std::uint32_t> number = renumbering(before, numbering_);

@@ -120,9 +120,10 @@ Result<Done> FaceBuilder::conform_to_walls(Delaunay2<LatticePredicates2>& tri) {
   }
   if (!conformed.failed.empty()) {
     const Wall& wall = result_.walls[conformed.failed[0]];
-    return Error{ErrorCode::internal,
-                 conformed.limit_reached ? "a contour edge needs too many splits to become a Delaunay edge"
-                                         : "a contour edge could not be made a Delaunay edge",
+    return Error{ErrorCode::too_thin,
+                 conformed.limit_reached
+                     ? "other contours come so close that an edge would need too many splits to become Delaunay"
+                     : "other contours come so close that an edge can't be split to become Delaunay",
                  {},
                  wall.line,
                  wall.source_plane,

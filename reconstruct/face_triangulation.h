@@ -1,7 +1,7 @@
 #pragma once
 /// One face of the arrangement: the planar Delaunay triangulation of its section vertices, conforming to the
-/// contours and told into inside and outside. Its triangles are the hull facets, on this face, of the cells on both
-/// sides (DESIGN: all vertices of a cell lie on its boundary).
+/// contours and told into inside and outside. Its triangles are the hull facets, on this face, of the cells
+/// on both sides (DESIGN: all vertices of a cell lie on its boundary).
 
 #include <array>
 #include <cstdint>
@@ -23,7 +23,7 @@ struct FaceTriangulation {
   std::uint32_t plane = 0;
   std::vector<std::uint32_t> vertices;  ///< of the section graph, ascending: local 0..vertices.size()-1,
   std::vector<LatticePoint> added;      ///< then splits and samples, explicit and strictly inside the face
-  std::uint32_t samples = 0;            ///< how many of those are samples of the branching and cutting diagrams
+  std::uint32_t samples = 0;  ///< how many of those are samples of the branching and cutting diagrams
   std::vector<std::array<std::uint32_t, 3>> triangles;  ///< local, counter-clockwise from the positive side
   std::vector<std::uint8_t> internal;                   ///< by triangle: 1 inside the section
   std::vector<FaceEdge> edges;  ///< of the triangles; those on lines get their kind from LineEdges
@@ -49,19 +49,20 @@ struct FaceInput {
 std::vector<FaceInput> face_inputs(const SectionGraph& graph, const Arrangement& arrangement);
 
 /// Triangulates; without area in its vertices the face has no triangles. `locator` tests its plane. Independent
-/// of other faces: may run in parallel. Error internal (with plane and contour) if a contour edge could not
+/// of other faces: may run in parallel. Error too_thin (with plane and contour) if a contour edge could not
 /// be recovered.
 Result<FaceTriangulation> triangulate_face(const SectionGraph& graph, const Arrangement& arrangement,
                                            const SectionLocator& locator, const FaceInput& input);
-/// Triangulates the face anew with samples inside its section; what `coarse` has keeps its local number. Its walls may be
-/// split further, so that they are edges again. REQUIRES: samples are distinct lattice points strictly inside the face and
-/// its section, and no vertices of `coarse`.
+/// Triangulates the face anew with samples inside its section; what `coarse` has keeps its local number. Its
+/// walls may be split further, so that they are edges again. REQUIRES: samples are distinct lattice points
+/// strictly inside the face and its section, and no vertices of `coarse`.
 Result<FaceTriangulation> refine_face(const SectionGraph& graph, const Arrangement& arrangement,
                                       const SectionLocator& locator, const FaceInput& input,
                                       const FaceTriangulation& coarse, std::span<const LatticePoint> samples);
 
-/// Which edges on plane-plane lines are in the closed section of every plane through them: decided once, for all
-/// cells. An edge is in the closed section of a plane iff an internal triangle of that plane stands at it.
+/// Which edges on plane-plane lines are in the closed section of every plane through them: decided once, for
+/// all cells. An edge is in the closed section of a plane iff an internal triangle of that plane stands at
+/// it.
 class LineEdges {
  public:
   explicit LineEdges(const SectionGraph& graph) : graph_(&graph) {}

@@ -1,11 +1,13 @@
 #include "glue.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <numeric>
 #include <utility>
 
 #include "../delaunay/tet_mesh.h"
+#include "../geom/parallel.h"
 #include "../prune/disjoint_sets.h"
 #include "../prune/star.h"
 
@@ -52,7 +54,8 @@ struct FacetBuckets {
 
 FacetBuckets fill_buckets(Tets tets, std::span<const std::uint32_t> facets) {
   std::uint32_t vertex_count = 0;
-  for (const std::uint32_t f : facets) vertex_count = std::max(vertex_count, rotated(outward(tets, f))[0] + 1);
+  for (const std::uint32_t f : facets)
+    vertex_count = std::max(vertex_count, rotated(outward(tets, f))[0] + 1);
   FacetBuckets buckets;
   buckets.begin.assign(std::size_t{vertex_count} + 1, 0);
   for (const std::uint32_t f : facets) ++buckets.begin[rotated(outward(tets, f))[0] + std::size_t{1}];
@@ -66,42 +69,53 @@ FacetBuckets fill_buckets(Tets tets, std::span<const std::uint32_t> facets) {
   return buckets;
 }
 
+/// Tetrahedra that are worked on together, one block a task: near each other, as they come cell by cell.
+constexpr std::uint32_t kBlock = 1U << 13;
+
+/// Calls work(first, last) for each block of tetrahedra.
+template <class Work>
+bool for_blocks(std::size_t tets, const Context& context, Work&& work) {
+  return parallel_for((tets + kBlock - 1) / kBlock, context, "gluing", [&](std::size_t b) {
+    work(static_cast<std::uint32_t>(b * kBlock),
+         static_cast<std::uint32_t>(std::min(tets, (b + 1) * kBlock)));
+  });
+}
+
 /// partner[f] = the facet glued to facet f, kNone on the boundary.
 ///
-/// Tetrahedra come cell by cell, so most facets have their partner near by: a small table of the facets of one
-/// block of tetrahedra after the other, which stays in the cache, finds those; what is left over is sorted.
+/// Most facets have their partner in the same block: a small table of its facets, which stays in the cache,
+/// finds those. What is left over is sorted.
 class FacetMatcher {
  public:
   explicit FacetMatcher(Tets tets) : tets_(tets), partner_(4 * tets.size(), kNone) {}
 
-  Result<std::vector<std::uint32_t>> run() {
-    for (std::uint32_t first = 0; first < tets_.size(); first += kBlock)
-      match_block(first, std::min<std::uint32_t>(first + kBlock, static_cast<std::uint32_t>(tets_.size())));
+  Result<std::vector<std::uint32_t>> run(const Context& context) {
+    const auto work = [&](std::uint32_t first, std::uint32_t last) { match_block(first, last); };
+    if (!for_blocks(tets_.size(), context, work)) return failure(ErrorCode::cancelled, "cancelled");
     match_rest();
     if (overlap_) return failure(ErrorCode::internal, "tetrahedra overlap: they can't be glued");
     return std::move(partner_);
   }
 
  private:
-  static constexpr std::uint32_t kBlock = 1U << 13;  ///< tetrahedra
-  static constexpr std::uint32_t kSlots = 8 * kBlock;  ///< half of them used at most
+  static constexpr std::uint32_t kSlots = 8 * kBlock;  ///< of the table, half of them used at most
 
   void match(std::uint32_t p, std::uint32_t q, bool same_side) {
-    overlap_ = overlap_ || same_side || partner_[p] != kNone;
+    if (same_side || partner_[p] != kNone) overlap_ = true;
     partner_[p] = q;
     partner_[q] = p;
   }
 
   void match_block(std::uint32_t first, std::uint32_t last) {
-    table_.assign(kSlots, kNone);
+    std::vector<std::uint32_t> table(kSlots, kNone);  // facets by hash
     for (std::uint32_t f = 4 * first; f < 4 * last; ++f) {
       const Triple t = rotated(outward(tets_, f));
       std::uint32_t slot = slot_for(t);
-      while (table_[slot] != kNone && !same_vertices(table_[slot], t)) slot = (slot + 1) % kSlots;
-      if (table_[slot] == kNone)
-        table_[slot] = f;
+      while (table[slot] != kNone && !same_vertices(table[slot], t)) slot = (slot + 1) % kSlots;
+      if (table[slot] == kNone)
+        table[slot] = f;
       else
-        match(table_[slot], f, rotated(outward(tets_, table_[slot])) == t);
+        match(table[slot], f, rotated(outward(tets_, table[slot])) == t);
     }
   }
 
@@ -118,7 +132,6 @@ class FacetMatcher {
   }
 
   void match_rest() {
-    table_ = {};
     std::vector<std::uint32_t> rest;
     for (std::uint32_t f = 0; f < partner_.size(); ++f)
       if (partner_[f] == kNone) rest.push_back(f);
@@ -135,10 +148,8 @@ class FacetMatcher {
 
   Tets tets_;
   std::vector<std::uint32_t> partner_;
-  std::vector<std::uint32_t> table_;  ///< facets by hash
-  bool overlap_ = false;
+  std::atomic<bool> overlap_ = false;
 };
-
 
 /// What `partner` says of a boundary facet, once there are triangles: its triangle, marked.
 constexpr std::uint32_t kBoundaryMark = 1U << 31;
@@ -180,22 +191,23 @@ std::uint32_t across_wedge(Tets tets, const std::vector<std::uint32_t>& partner,
 /// corner i.
 std::uint32_t next_corner(std::uint32_t corner) { return corner % 3 == 2 ? corner - 2 : corner + 1; }
 
-/// mate[s] = the side paired with side s. In the order of the tetrahedra: walking around edges in the order of the
-/// triangles would jump from cell to cell.
+/// mate[s] = the side paired with side s. In the order of the tetrahedra: walking around edges in the order
+/// of the triangles would jump from cell to cell.
 std::vector<std::uint32_t> pair_sides(Tets tets, const std::vector<std::uint32_t>& partner,
-                                      std::span<const Triple> triangles) {
+                                      std::span<const Triple> triangles, const Context& context) {
   std::vector<std::uint32_t> mate(3 * triangles.size());
-  for (std::uint32_t f = 0; f < partner.size(); ++f) {
-    if (!is_boundary(partner[f])) continue;
-    const std::uint32_t t = partner[f] & ~kBoundaryMark;
-    const Triple triangle = triangles[t];
-    for (std::uint32_t i = 0; i < 3; ++i) {
-      const std::uint32_t a = triangle[i], b = triangle[(i + 1) % 3];
-      const std::uint32_t other = across_wedge(tets, partner, f, a, b);
-      const Triple& met = triangles[other];
-      mate[3 * t + i] = 3 * other + static_cast<std::uint32_t>(std::find(met.begin(), met.end(), b) - met.begin());
-    }
-  }
+  const auto pair = [&](std::uint32_t facet, std::uint32_t side) {
+    const Triple& triangle = triangles[side / 3];
+    const std::uint32_t a = triangle[side % 3], b = triangle[(side + 1) % 3];
+    const std::uint32_t other = across_wedge(tets, partner, facet, a, b);
+    const Triple& met = triangles[other];
+    mate[side] = 3 * other + static_cast<std::uint32_t>(std::find(met.begin(), met.end(), b) - met.begin());
+  };
+  for_blocks(tets.size(), context, [&](std::uint32_t first, std::uint32_t last) {
+    for (std::uint32_t f = 4 * first; f < 4 * last; ++f)
+      for (std::uint32_t i = 0; i < 3 && is_boundary(partner[f]); ++i)
+        pair(f, 3 * (partner[f] & ~kBoundaryMark) + i);
+  });
   return mate;
 }
 
@@ -361,12 +373,14 @@ bool has_paired_sides(std::uint32_t vertex_count, std::span<const Triple> triang
 
 }  // namespace
 
-Result<GluedSurface> glue(std::span<const std::array<std::uint32_t, 4>> tets) {
+Result<GluedSurface> glue(std::span<const std::array<std::uint32_t, 4>> tets, const Context& context) {
   if (tets.size() >= kBoundaryMark / 4) return failure(ErrorCode::too_large, "2^29 tetrahedra or more");
-  auto partner = FacetMatcher(tets).run();
+  auto partner = FacetMatcher(tets).run(context);
   if (!partner) return partner.error();
   const std::vector<Triple> triangles = collect_boundary(tets, *partner);
-  const auto mate = pair_sides(tets, *partner, triangles);
+  const auto mate = pair_sides(tets, *partner, triangles, context);
+  if (context.cancelled()) return failure(ErrorCode::cancelled, "cancelled");
+  *partner = {};
   return Cutter(triangles, mate).run();
 }
 

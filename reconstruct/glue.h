@@ -13,6 +13,7 @@
 #include <span>
 #include <vector>
 
+#include "../geom/context.h"
 #include "../geom/ids.h"
 #include "../geom/result.h"
 
@@ -43,7 +44,8 @@ struct GluedSurface {
 /// facets that are near in the list or not yet matched share a triple, or two have the same side (overlapping
 /// tetrahedra); too_large from 2^29 tetrahedra on. O(n log n + largest vertex), arrays only; fast where
 /// neighbours are near each other in the list.
-Result<GluedSurface> glue(std::span<const std::array<std::uint32_t, 4>> tets);
+/// The context lends threads.
+Result<GluedSurface> glue(std::span<const std::array<std::uint32_t, 4>> tets, const Context& context = {});
 
 /// True iff the triangles form a closed oriented 2-manifold on exactly the vertices 0..vertex_count-1: three
 /// different vertices each, every directed edge once and its reverse once, one cycle of triangles around each

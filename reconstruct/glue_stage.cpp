@@ -26,7 +26,7 @@ struct Anywhere : Confinement {
 Result<Done> Pipeline::glue_cells() {
   result_.solid = assemble_solid(tets_, numbering_, framed_.grid);
   if (!glued_) {
-    auto made = glue(tets_);
+    auto made = glue(tets_, context_);
     if (!made) return made.error();
     glued_ = std::make_unique<GluedSurface>(std::move(made).value());
   }

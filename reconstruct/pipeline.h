@@ -11,13 +11,13 @@
 #include <vector>
 
 #include "../arrangement/data_box.h"
+#include "../geom/parallel.h"
 #include "branching.h"
 #include "bridges.h"
 #include "cell_builder.h"
 #include "glue.h"
 #include "numbering.h"
 #include "observer.h"
-#include "parallel.h"
 #include "reconstruct.h"
 #include "roofs.h"
 
@@ -125,13 +125,18 @@ class Pipeline {
   void report_planes();
 
   Error cancelled() const { return make_error(ErrorCode::cancelled, "cancelled"); }
+  void note(std::string text) {
+    context_.note(text);
+    result_.report.notes.push_back(std::move(text));
+  }
   void warn(std::string text) {
     context_.warn(text);
     result_.report.warnings.push_back(std::move(text));
   }
-  /// Calls work(i) for all i < count in parallel; the first error by number, or that the user cancelled.
   template <class Work>
-  Result<Done> for_all(std::size_t count, std::string_view stage, Work&& work);
+  Result<Done> for_all(std::size_t count, std::string_view stage, Work&& work) const {
+    return crossloft::for_all(count, context_, stage, std::forward<Work>(work));
+  }
 
   const Sections& sections_;
   const Options& options_;
@@ -155,17 +160,5 @@ class Pipeline {
   std::vector<std::array<std::uint32_t, 4>> roof_tets_;  ///< of flat regions
   Reconstruction result_;
 };
-
-template <class Work>
-Result<Done> Pipeline::for_all(std::size_t count, std::string_view stage, Work&& work) {
-  std::vector<Error> errors(count);
-  const bool complete = parallel_for(count, context_, stage, [&](std::size_t i) {
-    if (auto done = work(i); !done) errors[i] = done.error();
-  });
-  if (!complete) return cancelled();
-  for (const Error& error : errors)
-    if (!error.message.empty()) return error;
-  return Done{};
-}
 
 }  // namespace crossloft

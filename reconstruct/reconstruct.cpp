@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../geom/failing.h"
 #include "pipeline.h"
 #include "self_check.h"
 
@@ -168,9 +169,11 @@ Result<Reconstruction> Pipeline::run() {
 
 Result<Reconstruction> reconstruct(const Sections& sections, const Options& options, const Context& context,
                                    Observer* observer) {
-  auto result = Pipeline(sections, options, context, observer).run();
-  if (!result && result.error().file.empty()) result.error().file = sections.source;
-  return result;
+  return or_out_of_memory([&]() -> Result<Reconstruction> {
+    auto result = Pipeline(sections, options, context, observer).run();
+    if (!result && result.error().file.empty()) result.error().file = sections.source;
+    return result;
+  });
 }
 
 }  // namespace crossloft

@@ -276,13 +276,13 @@ void request_openings(const ToldOfAll& told, std::span<const FaceTriangulation> 
 Result<std::vector<Piece>> Pipeline::find_pieces() {
   const std::vector<std::array<std::uint32_t, 4>> tets = all_tets(cells_);
   if (tets.empty()) return std::vector<Piece>{};
-  auto glued = glue(tets);
+  auto glued = glue(tets, context_);
   if (!glued) return glued.error();
   glued_ = std::make_unique<GluedSurface>(std::move(glued).value());
   SurfacePieces found(*glued_, numbering_.points);
-  const std::vector<PieceTriangle> triangles = found.triangles();
   std::vector<Piece> pieces = found.take();
   if (pieces.empty()) return pieces;
+  const std::vector<PieceTriangle> triangles = found.triangles();
   find_cells(cells_, triangles, pieces);
   find_bare_cells(faces_, numbering_, *arrangement_, triangles, pieces);
   const bool forbids =

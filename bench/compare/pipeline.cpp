@@ -1,7 +1,8 @@
-// A whole reconstruction against no more than CGAL's Delaunay triangulations (EPICK, range insertion) of the same
-// cells' points, in turns in one process: what a program built on CGAL could not do without.
+// A whole reconstruction against no more than CGAL's Delaunay triangulations (EPICK, range insertion) of the
+// same cells' points, in turns in one process: what a program built on CGAL could not do without.
 //
-//   bench_compare_pipeline [--rounds N] [--mode MODE] FILE...      sections, as crossloft reconstruct reads them
+//   bench_compare_pipeline [--rounds N] [--mode MODE] FILE...      sections, as crossloft reconstruct reads
+//   them
 //
 // Seconds of processor time, one thread each; medians of N rounds (3).
 
@@ -75,8 +76,9 @@ bool compare_on(const char* path, const Options& options, int rounds) {
     }));
     ratios.push_back(ours.back() / theirs.back());
   }
-  std::printf("%-40s %8zu vertices in cells %9zu tetrahedra  ours %.3f s  CGAL's Delaunay %.3f s  ratio %.2f\n", path,
-              vertices, tets, median(ours), median(theirs), median(ratios));
+  std::printf(
+      "%-40s %8zu vertices in cells %9zu tetrahedra  ours %.3f s  CGAL's Delaunay %.3f s  ratio %.2f\n", path,
+      vertices, tets, median(ours), median(theirs), median(ratios));
   std::fflush(stdout);
   return true;
 }

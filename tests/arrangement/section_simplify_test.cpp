@@ -151,8 +151,15 @@ class ByBruteForce {
       if (turn != 0 && x != u && x != v && x != w && turn * orient2d(plane, a, b, d) >= 0 &&
           turn * orient2d(plane, b, c, d) >= 0 && turn * orient2d(plane, c, a, d) >= 0)
         return false;
+      if (x != u && x != v && x != w && grazes(real(a), real(c), real(d))) return false;
     }
     return true;
+  }
+  /// A segment that passes p, not at an end, at most at 1/1024 of the distance from the nearer end.
+  static bool grazes(const Vec3& a, const Vec3& b, const Vec3& p) {
+    const Vec3 d = b - a;
+    if (dot(p - a, d) <= 0 || dot(p - b, d) >= 0) return false;
+    return away(a, b, p) <= std::min(norm(p - a), norm(p - b)) / 1024;
   }
   static double away(const Vec3& a, const Vec3& b, const Vec3& p) {
     const Vec3 d = b - a;
@@ -274,6 +281,14 @@ TEST_CASE("nested contours closer than the tolerance stay nested and never touch
     for (const std::uint32_t v : rings[1 - large])
       CHECK(locator.locate(few.graph->points[v]) == SectionLocator::Place::inside);
   }
+}
+
+TEST_CASE("no wall that replaces others passes a vertex within a thousandth of its length") {
+  const double hair = 1e-12;  // the upper contour's long side would pass the lower one's middle this near
+  const Sections sections = one_plane({{{0, 1, 0}, {2, 1.1, 0}, {4, 1, 0}, {4, 3, 0}, {0, 3, 0}},
+                                       {{0, 0, 0}, {4, 0, 0}, {2, 1 - hair, 0}}});
+  const Built b = simplified(sections, 0.1);
+  CHECK(b.graph->walls[0].size() == 8);
 }
 
 TEST_CASE("loops that would vanish stay as triangles that have an area") {

@@ -316,7 +316,60 @@ printf 'OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n' >triangle.off
 expect 1 'closed +NO' check triangle.off
 grep -q '^genus *unknown' out.txt || fail 'a genus without a manifold'
 
-# Ctrl-C: exit 130 or finished before, and nothing half-written
+# A full disk: one message, the target as it was, no temporary file. A limit on the size of files fails as a full disk does.
+# full OUTPUT ARGUMENT...
+full() {
+  echo precious >"$1"
+  (
+    ulimit -f 2
+    "$program" "${@:2}" >out.txt 2>&1 </dev/null
+  )
+  local got=$?
+  [ $got -eq 3 ] || fail "${*:2}: exit code $got on a full disk"
+  [ "$(grep -c '^crossloft: .*cannot be written: File too large$' out.txt)" = 1 ] || { fail "${*:2}: message on a full disk"; cat out.txt; }
+  [ "$(cat "$1")" = precious ] || fail "$1 overwritten on a full disk"
+  absent
+}
+demo="$source/examples/demo.contour"
+for kind in ply obj off stl; do full full.$kind reconstruct "$demo" --quiet -o full.$kind; done
+expect 0 '' reconstruct "$demo" --quiet -o demo.ply --solid demo.vtu
+full full.contour slice demo.ply --random 9 -o full.contour
+full full.csl slice demo.ply --random 9 -o full.csl
+full full.vtu delaunay p.txt -o full.vtu
+full full.mesh delaunay p.txt -o full.mesh
+full full.svg moebius "$source/examples/sites.txt" -o full.svg
+if [ -e /dev/full ]; then
+  ln -s /dev/full device.ply
+  expect 3 'device.ply: cannot be written: No space left on device' reconstruct "$demo" --quiet -o device.ply
+  [ -c device.ply ] || fail 'a device was replaced'
+  "$program" info "$demo" >/dev/full 2>out.txt
+  [ $? -eq 3 ] && grep -q 'standard output cannot be written' out.txt || { fail 'standard output on a full disk'; cat out.txt; }
+fi
+
+# Ctrl-C at any time: exit 130 with the target as it was, or all of the new one
+cp demo.ply whole.ply
+interrupted=0
+for delay in 0 0.01 0.02 0.05 0.1 0.2; do
+  echo precious >late.ply
+  "$program" reconstruct "$demo" --quiet -o late.ply --solid late.vtu >out.txt 2>&1 </dev/null & running=$!
+  sleep $delay
+  kill -INT $running 2>/dev/null
+  wait $running
+  case $? in
+    0) cmp -s late.ply whole.ply && cmp -s late.vtu demo.vtu || fail "half-written after Ctrl-C at $delay s" ;;
+    130)
+      interrupted=$((interrupted + 1))
+      # Before the program has its handlers the shell's default ends it without a word.
+      [ ! -s out.txt ] || grep -q '^crossloft: interrupted, nothing was written$' out.txt || fail "no word of Ctrl-C at $delay s"
+      [ "$(cat late.ply)" = precious ] && [ ! -e late.vtu ] || fail "written after Ctrl-C at $delay s"
+      ;;
+    *) fail "Ctrl-C at $delay s: exit code not 0 or 130" ;;
+  esac
+  absent
+  rm -f late.vtu
+done
+[ $interrupted -gt 0 ] || fail 'no run was interrupted'
+
 "$program" demo -o interrupted >/dev/null 2>&1 </dev/null & running=$!
 kill -INT $running 2>/dev/null
 wait $running

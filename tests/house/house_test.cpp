@@ -131,7 +131,8 @@ TEST_CASE("nothing but tests and benchmarks includes the strategies") {
 
 TEST_CASE("the library neither throws nor asks for types at run time") {
   for (const Source& source : sources_of_rooms()) {
-    if (source.room() == "cli") continue;
+    // One header turns failed allocations into errors, in builds that have exceptions.
+    if (source.room() == "cli" || source.path == fs::path("geom/failing.h")) continue;
     CAPTURE(source.path.string());
     const std::string code = house::blank_comments_and_literals(source.text);
     for (const char* word : {"throw", "try", "catch", "dynamic_cast", "typeid", "cout", "cerr"}) {

@@ -117,3 +117,16 @@ TEST_CASE("only points in the box, at no cost for the rest") {
   CHECK(points.size() <= 403);
   for (const Vec2 p : points) CHECK(std::abs(p.y) < 1e-6);
 }
+
+TEST_CASE("an end that was rounded far off its line or circle asks for no more points than the box can hold") {
+  const Box2 box{{-8, -8}, {8, 8}};
+  FaceArc line = line_arc({0, 0}, {1, 0}, -INFINITY, 5);
+  line.to = {5, 1e27};
+  const auto points = samples(line, 1, box);
+  CHECK(points.size() >= 13);
+  CHECK(points.size() <= 40);
+  for (const Vec2 p : points) CHECK(p.y == 0);
+  FaceArc circle = circle_arc({0, 0}, 4, 0, 1, false);
+  circle.to = {1e27, 0};
+  CHECK(samples(circle, 1, box).empty());
+}

@@ -8,8 +8,8 @@ using namespace crossloft::test;
 
 namespace {
 
-void check_case(const char* name) {
-  const auto r = reconstruct(load(name, "/tests/reconstruct/cases/"));
+void check_case(const char* name, const Options& options = {}) {
+  const auto r = reconstruct(load(name, "/tests/reconstruct/cases/"), options);
   REQUIRE(r.ok());
   const CheckReport surface = check_surface(r->surface);
   CHECK(surface.good_topology());
@@ -30,4 +30,31 @@ TEST_CASE("nearly parallel planes: a piece led to a corner crossed a further pla
 
 TEST_CASE("nearly parallel planes: a piece that crossed a plane gave its face contradicting labels") {
   check_case("near_parallel_labels.contour");
+}
+
+TEST_CASE("contours that touch along edges up to 1e-10 of the diagonal: the gap asked for millions of splits") {
+  check_case("hair_gap_parallel.contour");
+  check_case("hair_gap_triangle.contour");
+}
+
+TEST_CASE("simplified contours passed other vertices by a rounding error") {
+  Options options;
+  options.simplify = 0.5;
+  check_case("simplified_onto_edge.contour", options);
+}
+
+TEST_CASE("contours that snapping narrows to lines: nothing is left to put a box around") {
+  const auto r = reconstruct(load("narrowed_to_nothing.contour", "/tests/reconstruct/cases/"));
+  REQUIRE(r.ok());
+  CHECK(r->surface.triangles.empty());
+  CHECK(r->report.arrangement_cells == 0);
+  CHECK(std::count(r->report.warnings.begin(), r->report.warnings.end(),
+                   "no contour is wide enough to be told from a line") == 1);
+}
+
+TEST_CASE("planes a hair apart: a vertex of their diagram was rounded far off its arc, which asked for 2^46 samples") {
+  Options options;
+  options.mode = PruneMode::paper;
+  options.branching.mode = Branching::all;
+  check_case("arc_end_off_its_line.contour", options);
 }

@@ -1,0 +1,155 @@
+// Time and memory of a reconstruction as the input grows: a stack of slices with more and more contour
+// vertices, and a knot by more and more random planes. Each reconstruction runs in a process of its own,
+// whose peak of memory is the operating system's figure.
+//
+//   bench_scale [--most-vertices N] [--most-planes N] [--markdown FILE] [--svg FILE]      default: 1000000,
+//   100
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <functional>
+#include <numbers>
+#include <string>
+
+#include "../inspect/slice.h"
+#include "../inspect/solids.h"
+#include "../reconstruct/reconstruct.h"
+#include "output.h"
+#include "scale.h"
+
+namespace {
+
+using namespace crossloft;
+using namespace crossloft::bench;
+
+/// A closed curve around the z axis with `count` vertices, wound the way that `outer` asks for.
+void add_curve(PlaneSection& plane, double z, double radius, double depth, std::uint32_t count, bool outer) {
+  const auto first = static_cast<std::uint32_t>(plane.vertices.size());
+  const std::uint32_t contour = plane.edges.empty() ? 0 : plane.edges.back().contour + 1;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const double t = 2 * std::numbers::pi * (outer ? i : count - i) / count;
+    const double r = radius * (1 + depth * std::sin(5 * t + 2 * z) + 0.05 * std::sin(23 * t - 5 * z));
+    plane.vertices.push_back({r * std::cos(t), r * std::sin(t), z});
+    plane.edges.push_back({first + i, first + (i + 1) % count, 1, 0, contour, 0});
+  }
+}
+
+/// A twisted tube with five lobes: a wall and a channel in each of `slices` slices, `vertices` in all.
+Sections twisted_tube(std::uint32_t slices, std::uint32_t vertices) {
+  Sections sections;
+  for (std::uint32_t k = 0; k < slices; ++k) {
+    const double z = 3.0 * k / slices;
+    PlaneSection& plane = sections.planes.emplace_back();
+    plane.normal = {0, 0, 1};
+    plane.offset = -z;
+    const std::uint32_t count = vertices / slices;
+    add_curve(plane, z, 1, 0.2, count * 2 / 3, true);
+    add_curve(plane, z, 0.4, 0.1, count - count * 2 / 3, false);
+  }
+  return sections;
+}
+
+Sections knot(std::uint32_t planes) {
+  const Surface mesh = trefoil_solid(128);
+  auto sections = slice(mesh, random_planes(bounds_of(mesh.points), planes, 1));
+  return sections ? std::move(sections).value() : Sections{};
+}
+
+/// Of this process, since the call of forget_peak.
+double peak_megabytes() {
+  double kilobytes = 0;
+  char line[128];
+  std::FILE* status = std::fopen("/proc/self/status", "r");
+  while (status != nullptr && std::fgets(line, sizeof line, status) != nullptr)
+    if (std::sscanf(line, "VmHWM: %lf", &kilobytes) == 1) break;
+  if (status != nullptr) std::fclose(status);
+  return kilobytes / 1024;
+}
+
+/// What making the input took does not count.
+void forget_peak() {
+  if (std::FILE* file = std::fopen("/proc/self/clear_refs", "w")) {
+    std::fputs("5", file);
+    std::fclose(file);
+  }
+}
+
+ScalePoint measure(const Sections& sections, unsigned threads) {
+  ScalePoint point;
+  point.threads = threads;
+  point.planes = static_cast<std::uint32_t>(sections.planes.size());
+  for (const PlaneSection& p : sections.planes) point.vertices += p.vertices.size();
+  Context context;
+  context.threads = threads;
+  forget_peak();
+  const std::clock_t start = std::clock();
+  const auto result = reconstruct(sections, {}, context);
+  point.processor = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+  if (!result) return point;
+  point.megabytes = peak_megabytes();
+  point.seconds = result->report.seconds.total;
+  point.cells = result->report.arrangement_cells;
+  for (const CellReport& cell : result->report.cells) point.tetrahedra += cell.tets_r0;
+  return point;
+}
+
+/// Makes the input and reconstructs it in a child; no seconds if that failed.
+ScalePoint in_child(const std::function<Sections()>& make, unsigned threads) {
+  int ends[2];
+  if (pipe(ends) != 0) return {};
+  const pid_t child = fork();
+  if (child == 0) {
+    const ScalePoint point = measure(make(), threads);
+    const bool sent = write(ends[1], &point, sizeof point) == sizeof point;
+    _exit(sent ? 0 : 1);
+  }
+  close(ends[1]);
+  ScalePoint point;
+  const bool got = child > 0 && read(ends[0], &point, sizeof point) == sizeof point;
+  close(ends[0]);
+  if (child > 0) waitpid(child, nullptr, 0);
+  std::fprintf(stderr, "%u planes, %llu vertices, %u threads: %.3g s, %.0f MB\n", point.planes,
+               static_cast<unsigned long long>(point.vertices), threads, point.seconds, point.megabytes);
+  return got ? point : ScalePoint{};
+}
+
+ScaleSeries run(const std::string& name, const std::string& grows,
+                const std::vector<std::function<Sections()>>& inputs) {
+  ScaleSeries series{name, grows, {}};
+  for (const auto& make : inputs)
+    for (const unsigned threads : {1U, 2U})
+      if (const ScalePoint point = in_child(make, threads); point.seconds > 0) series.points.push_back(point);
+  return series;
+}
+
+}  // namespace
+
+int main(int count, char** words) {
+  std::uint32_t most_vertices = 1'000'000, most_planes = 100;
+  std::string markdown, svg;
+  for (int i = 1; i + 1 < count; i += 2) {
+    const std::string word = words[i];
+    if (word == "--most-vertices")
+      most_vertices = static_cast<std::uint32_t>(std::strtoul(words[i + 1], nullptr, 10));
+    if (word == "--most-planes")
+      most_planes = static_cast<std::uint32_t>(std::strtoul(words[i + 1], nullptr, 10));
+    if (word == "--markdown") markdown = words[i + 1];
+    if (word == "--svg") svg = words[i + 1];
+  }
+  std::vector<std::function<Sections()>> stacks, knots;
+  for (std::uint32_t v = 1000; v <= most_vertices; v *= 10)
+    stacks.push_back([v] { return twisted_tube(std::clamp<std::uint32_t>(v / 2000, 20, 500), v); });
+  for (const std::uint32_t k : {5U, 10U, 20U, 50U, 100U})
+    if (k <= most_planes) knots.push_back([k] { return knot(k); });
+  std::vector<ScaleSeries> all{run("a stack of slices", "vertices", stacks)};
+  if (!knots.empty()) all.push_back(run("a knot by random planes", "planes", knots));
+  const std::string table = to_markdown(all);
+  std::fputs(table.c_str(), stdout);
+  return write_file(markdown, table) && write_file(svg, to_svg(all)) ? 0 : 1;
+}

@@ -1,0 +1,131 @@
+#include "promises.h"
+
+#include <cmath>
+
+#include "../../inspect/check.h"
+#include "../reconstruct/result_hash.h"
+#include "../reconstruct/shuffled.h"
+#include "section_judge.h"
+
+namespace crossloft::test {
+namespace {
+
+constexpr double kAreaTolerance = 1e-10;   // of the squared diagonal
+constexpr double kVolumeTolerance = 1e-9;  // of the cubed diagonal
+
+std::string number(double x) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", x);
+  return text;
+}
+
+/// Refusals that an input can deserve.
+bool may_refuse(ErrorCode code) {
+  switch (code) {
+    case ErrorCode::off_plane:
+    case ErrorCode::open_chain:
+    case ErrorCode::self_crossing:
+    case ErrorCode::contradicting_planes:
+    case ErrorCode::no_plane:
+    case ErrorCode::too_large:
+    case ErrorCode::zero_normal:
+    case ErrorCode::not_finite:
+      return true;
+    default:
+      return false;
+  }
+}
+
+std::string refused(const SectionSet& set, const Error& error) {
+  if (error.message.empty()) return "an error without a message";
+  if (!may_refuse(error.code))
+    return "error " + std::to_string(static_cast<int>(error.code)) + ": " + to_string(error);
+  if (set.consistent && error.code != ErrorCode::too_large)
+    return "slices of a solid refused: " + to_string(error);
+  return {};
+}
+
+std::string surface_complaint(const Reconstruction& r, const CheckReport& check) {
+  if (check.bad_coordinates != 0) return "a coordinate of the surface is no finite number";
+  if (!check.closed()) return "the surface is not closed";
+  if (!check.oriented()) return "the surface is not oriented";
+  if (!check.manifold()) return "the surface is not a manifold";
+  const double unit = std::pow(r.report.diagonal, 3);
+  // Copies that were moved apart leave the tetrahedra where they were.
+  if (r.report.separated_copies == 0 &&
+      !(std::fabs(check.volume - r.report.volume) <= kVolumeTolerance * unit))
+    return "the surface has the volume " + number(check.volume) + ", the tetrahedra " +
+           number(r.report.volume);
+  return {};
+}
+
+/// The exact judge, and for what it sees the numbers of the report and the sections that are handed out. On
+/// written coordinates the same can't be told where the solid is thinner than their rounding.
+std::string section_complaint(const Reconstruction& r, const SectionJudge& judge) {
+  if (!judge.complaint().empty()) return judge.complaint();
+  const SectionCheck check = check_sections({}, r.sections);
+  const double most = kAreaTolerance * r.report.diagonal * r.report.diagonal;
+  for (std::size_t p = 0; p < check.planes.size(); ++p) {
+    const double reported = r.report.planes[p].flat_area;
+    if (!(std::fabs(judge.flat_area[p] - reported) <= most))
+      return "plane " + std::to_string(p) + ": an area of " + number(judge.flat_area[p]) + " is flat, " +
+             number(reported) + " are reported";
+    if (!(std::fabs(judge.section_area[p] - check.planes[p].section_area) <= most))
+      return "plane " + std::to_string(p) + ": section triangles of area " + number(judge.section_area[p]) +
+             " for a section of area " + number(check.planes[p].section_area);
+  }
+  return {};
+}
+
+std::string report_complaint(const Reconstruction& r) {
+  const Report& report = r.report;
+  if (report.surface_triangles != r.surface.triangles.size() ||
+      report.surface_vertices != r.surface.points.size() || report.solid_tets != r.solid.tets.size())
+    return "the report's counts are not those of the result";
+  if (report.planes.size() != r.sections.planes.size())
+    return "the report's planes are not those of the sections";
+  for (const double x : {report.diagonal, report.volume, report.section_area, report.flat_area,
+                         report.displacement, report.off_plane, report.largest_match_gap, report.separation})
+    if (!(std::isfinite(x) && x >= 0)) return "the report has a length, area or volume of " + number(x);
+  if (report.flat_area > report.section_area * (1 + 1e-9)) return "more flat area than sections have";
+  if (report.matched_crossings > report.crossings) return "more crossings are matched than there are";
+  if (report.mode == "natural" && report.topology.handles != 0)
+    return std::to_string(report.topology.handles) + " handles within cells";
+  if (r.surface.triangles.empty() && report.warnings.empty()) return "an empty surface and not a word why";
+  return {};
+}
+
+std::string twice_complaint(const SectionSet& set, const Reconstruction& r) {
+  if (!set.options.joins.empty()) return {};  // they name planes and contours by number
+  Context context;
+  context.threads = 3 - set.threads;
+  const auto again = reconstruct(shuffled(set.sections, r.surface.points.size() + 1), set.options, context);
+  if (!again) return "refused when told in another order: " + to_string(again.error());
+  return hash(*again) == hash(r) ? "" : "another result when told in another order";
+}
+
+}  // namespace
+
+Verdict judge(const SectionSet& set) {
+  Verdict verdict;
+  Context context;
+  context.threads = set.threads;
+  SectionJudge sections;
+  const auto r = reconstruct(set.sections, set.options, context, &sections);
+  if (!r) {
+    verdict.error = r.error().code;
+    verdict.broken = refused(set, r.error());
+    return verdict;
+  }
+  verdict.empty = r->surface.triangles.empty();
+  const CheckReport check = check_surface(r->surface);
+  verdict.crossings = check.crossings;
+  verdict.edges_outside = sections.edges_outside;
+  verdict.broken = surface_complaint(*r, check);
+  if (verdict.broken.empty()) verdict.broken = section_complaint(*r, sections);
+  if (verdict.broken.empty()) verdict.broken = report_complaint(*r);
+  if (verdict.broken.empty() && set.told_twice) verdict.broken = twice_complaint(set, *r);
+  return verdict;
+}
+
+}  // namespace crossloft::test

@@ -1,0 +1,176 @@
+/// Random small section sets through the pipeline, each judged by all promises (promises.h).
+///
+///   stress [--count N] [--seed S] [--first K] [--threads T] [--keep FOLDER] [--mode natural|joint|paper]
+///
+/// Input k of seed S is the same whatever the others are: --first K --count 1 repeats it. Broken promises are
+/// printed, with --keep also kept as FOLDER/S-K.bytes (an input of the fuzz target) and FOLDER/S-K.contour.
+/// Exit 1 if there was one.
+#include <array>
+#include <atomic>
+#include <charconv>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "../../inspect/random.h"
+#include "../../io/atomic_file.h"
+#include "../../io/write_sections.h"
+#include "promises.h"
+
+using namespace crossloft;
+using namespace crossloft::test;
+
+namespace {
+
+struct Arguments {
+  std::uint64_t count = 2000, seed = 1, first = 0, threads = 1;
+  std::string keep;
+  std::optional<PruneMode> mode;
+};
+
+/// What was seen of one kind of set.
+struct Tally {
+  std::uint64_t inputs = 0, refused = 0, empty = 0, broken = 0, with_crossings = 0, with_edges = 0;
+  void add(const Verdict& v) {
+    ++inputs;
+    refused += v.error.has_value();
+    empty += v.empty;
+    broken += !v.broken.empty();
+    with_crossings += v.crossings != 0;
+    with_edges += v.edges_outside != 0;
+  }
+};
+
+std::array<std::uint8_t, 160> bytes_of(std::uint64_t seed, std::uint64_t k) {
+  Random random(seed * 0x9E3779B97F4A7C15u + k * 0xD1B54A32D192ED03u);
+  std::array<std::uint8_t, 160> bytes;
+  for (std::uint8_t& b : bytes) b = static_cast<std::uint8_t>(random.next() >> 56);
+  return bytes;
+}
+
+class Stress {
+ public:
+  explicit Stress(const Arguments& arguments) : arguments_(arguments) {}
+
+  bool run() {
+    std::vector<std::thread> workers;
+    for (std::uint64_t t = 1; t < arguments_.threads; ++t) workers.emplace_back([this] { drain(); });
+    drain();
+    for (std::thread& worker : workers) worker.join();
+    return print();
+  }
+
+ private:
+  void drain() {
+    for (std::uint64_t i; (i = next_.fetch_add(1)) < arguments_.count;) one(arguments_.first + i);
+  }
+
+  void one(std::uint64_t k) {
+    const auto bytes = bytes_of(arguments_.seed, k);
+    ByteSource source(bytes);
+    SectionSet set = draw_section_set(source);
+    if (arguments_.mode) set.options.mode = *arguments_.mode;
+    const auto begin = std::chrono::steady_clock::now();
+    const Verdict verdict = judge(set);
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+    const std::lock_guard lock(mutex_);
+    tallies_[set.kind].add(verdict);
+    if (took.count() > slowest_) slowest_ = took.count(), slowest_input_ = k;
+    if (!verdict.broken.empty())
+      report(k, set, verdict, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+  }
+
+  void report(std::uint64_t k, const SectionSet& set, const Verdict& verdict, std::string_view bytes) const {
+    std::printf("input %llu (%s, %s): %s\n", static_cast<unsigned long long>(k), set.kind,
+                name_of(set.options.mode), verdict.broken.c_str());
+    std::fflush(stdout);
+    if (arguments_.keep.empty()) return;
+    const std::string name =
+        arguments_.keep + "/" + std::to_string(arguments_.seed) + "-" + std::to_string(k);
+    const bool kept =
+        write_file(name + ".bytes", bytes).ok() && write_sections(name + ".contour", set.sections).ok();
+    if (!kept) std::printf("  could not be kept\n");
+  }
+
+  bool print() const {
+    Tally all;
+    std::printf("%-10s %10s %10s %10s %10s %10s\n", "planes", "inputs", "refused", "empty", "crossings",
+                "broken");
+    const auto line = [](const char* name, const Tally& t) {
+      std::printf("%-10s %10llu %10llu %10llu %10llu %10llu %10llu\n", name,
+                  static_cast<unsigned long long>(t.inputs), static_cast<unsigned long long>(t.refused),
+                  static_cast<unsigned long long>(t.empty), static_cast<unsigned long long>(t.with_crossings),
+                  static_cast<unsigned long long>(t.with_edges), static_cast<unsigned long long>(t.broken));
+    };
+    for (const auto& [name, t] : tallies_) {
+      line(name.c_str(), t);
+      all.inputs += t.inputs, all.refused += t.refused, all.empty += t.empty, all.broken += t.broken;
+      all.with_crossings += t.with_crossings, all.with_edges += t.with_edges;
+    }
+    line("all", all);
+    std::printf("slowest: input %llu, %.3f s\n", static_cast<unsigned long long>(slowest_input_), slowest_);
+    return all.broken == 0;
+  }
+
+  const Arguments& arguments_;
+  std::atomic<std::uint64_t> next_{0};
+  std::mutex mutex_;
+  std::map<std::string, Tally> tallies_;
+  double slowest_ = 0;
+  std::uint64_t slowest_input_ = 0;
+};
+
+bool parse_number(const char* text, std::uint64_t& number) {
+  const auto [end, error] = std::from_chars(text, text + std::strlen(text), number);
+  return error == std::errc() && *end == '\0';
+}
+
+bool parse_mode(const std::string& name, std::optional<PruneMode>& mode) {
+  for (const PruneMode m : {PruneMode::natural, PruneMode::joint, PruneMode::paper})
+    if (name == name_of(m)) mode = m;
+  return mode.has_value();
+}
+
+bool parse(int argc, char** argv, Arguments& a) {
+  if (argc % 2 == 0) return false;
+  for (int i = 1; i < argc; i += 2) {
+    const std::string name = argv[i];
+    bool good = true;
+    if (name == "--count")
+      good = parse_number(argv[i + 1], a.count);
+    else if (name == "--seed")
+      good = parse_number(argv[i + 1], a.seed);
+    else if (name == "--first")
+      good = parse_number(argv[i + 1], a.first);
+    else if (name == "--threads")
+      good = parse_number(argv[i + 1], a.threads);
+    else if (name == "--mode")
+      good = parse_mode(argv[i + 1], a.mode);
+    else if (name == "--keep")
+      a.keep = argv[i + 1];
+    else
+      good = false;
+    if (!good) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Arguments arguments;
+  if (!parse(argc, argv, arguments)) {
+    std::fputs("stress [--count N] [--seed S] [--first K] [--threads T] [--keep FOLDER] [--mode M]\n",
+               stderr);
+    return 2;
+  }
+  std::printf("seed %llu\n", static_cast<unsigned long long>(arguments.seed));
+  return Stress(arguments).run() ? EXIT_SUCCESS : EXIT_FAILURE;
+}

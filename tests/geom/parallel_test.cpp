@@ -1,0 +1,93 @@
+#include "../../geom/parallel.h"
+
+#include <doctest/doctest.h>
+
+#include <atomic>
+#include <new>
+#include <stdexcept>
+#include <thread>
+#include <vector>
+
+#include "../../delaunay/in_parallel.h"
+
+using namespace crossloft;
+
+namespace {
+
+Context with_threads(unsigned threads) {
+  Context context;
+  context.threads = threads;
+  return context;
+}
+
+}  // namespace
+
+TEST_CASE("every item is done once, for any number of threads") {
+  for (const unsigned threads : {1u, 2u, 7u, 0u})
+    for (const std::size_t count : {0u, 1u, 2u, 1000u}) {
+      std::vector<std::atomic<int>> done(count);
+      CHECK(parallel_for(count, with_threads(threads), "items", [&](std::size_t i) { ++done[i]; }));
+      for (const auto& times : done) CHECK(times == 1);
+    }
+}
+
+TEST_CASE("cancelled: false, and the rest is not begun") {
+  std::atomic<bool> cancel{false};
+  Context context = with_threads(3);
+  context.cancel = &cancel;
+  std::atomic<std::size_t> done{0};
+  const bool complete = parallel_for(100000, context, "items", [&](std::size_t) {
+    if (++done == 10) cancel = true;
+  });
+  CHECK_FALSE(complete);
+  CHECK(done < 100000);
+}
+
+#ifndef CROSSLOFT_NO_EXCEPTIONS
+
+TEST_CASE("an item that fails on any thread fails on the calling one, when all threads are over") {
+  for (const unsigned threads : {1u, 2u, 7u})
+    for (const std::size_t bad : {0u, 1u, 500u, 999u}) {
+      std::atomic<int> running{0};
+      CHECK_THROWS_AS(parallel_for(1000, with_threads(threads), "items",
+                                   [&](std::size_t i) {
+                                     ++running;
+                                     if (i == bad) {
+                                       --running;
+                                       throw std::bad_alloc();
+                                     }
+                                     --running;
+                                   }),
+                      std::bad_alloc);
+      CHECK(running == 0);
+    }
+}
+
+TEST_CASE("what the caller's own callback throws comes out as it was") {
+  std::atomic<bool> called{false};
+  Context context = with_threads(3);
+  context.progress = [&](std::string_view, double) {
+    called = true;
+    throw std::runtime_error("enough");
+  };
+  const auto caller = std::this_thread::get_id();
+  const auto work = [&](std::size_t) {
+    while (!called && std::this_thread::get_id() != caller) std::this_thread::yield();
+  };
+  CHECK_THROWS_WITH(parallel_for(1000, context, "items", work), "enough");
+}
+
+TEST_CASE("shared work that fails on one thread fails on the calling one") {
+  for (const unsigned bad : {0u, 1u, 3u}) {
+    std::atomic<int> done{0};
+    CHECK_THROWS_AS(detail::in_parallel(4,
+                                        [&](unsigned k) {
+                                          if (k == bad) throw std::bad_alloc();
+                                          ++done;
+                                        }),
+                    std::bad_alloc);
+    CHECK(done == 3);
+  }
+}
+
+#endif
