@@ -8,11 +8,10 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json to_json(const StageSeconds& s) {
-  return {{"input", s.input},         {"arrangement", s.arrangement},
-          {"crossings", s.crossings}, {"faces", s.faces},
-          {"branching", s.branching}, {"delaunay", s.delaunay},
-          {"pruning", s.pruning},     {"gluing", s.gluing},
-          {"separating", s.separating}, {"total", s.total}};
+  return {{"input", s.input},     {"arrangement", s.arrangement}, {"crossings", s.crossings},
+          {"faces", s.faces},     {"branching", s.branching},     {"delaunay", s.delaunay},
+          {"pruning", s.pruning}, {"gluing", s.gluing},           {"separating", s.separating},
+          {"total", s.total}};
 }
 
 Json to_json(const PlaneReport& p) {

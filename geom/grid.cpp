@@ -7,7 +7,7 @@ namespace crossloft {
 namespace {
 
 constexpr int kDataBits = 48;
-constexpr int kSmallestExponent = 1074;  // of the smallest double, 2^-1074
+constexpr int kSmallestExponent = 1074;                // of the smallest double, 2^-1074
 constexpr double kExactIntegers = 9007199254740992.0;  // 2^53
 
 Vec3 scale(Vec3 v, int exponent) {

@@ -97,7 +97,8 @@ bool in_angle(const PlaneView& view, const Corners& t, const Vec3& p) {
 }
 
 bool angles_meet(const PlaneView& view, const Corners& a, const Corners& b) {
-  return in_angle(view, a, b[1]) || in_angle(view, a, b[2]) || in_angle(view, b, a[1]) || in_angle(view, b, a[2]);
+  return in_angle(view, a, b[1]) || in_angle(view, a, b[2]) || in_angle(view, b, a[1]) ||
+         in_angle(view, b, a[2]);
 }
 
 bool coplanar_touch(Corners a, Corners b, int shared) {
@@ -112,8 +113,8 @@ bool coplanar_touch(Corners a, Corners b, int shared) {
   return !strictly_separated_by_edge(view, a, b) && !strictly_separated_by_edge(view, b, a);
 }
 
-/// Edges of `a` that are not in the other's plane. With a shared corner the opposite edge alone: what the triangles have
-/// in common is a segment that starts there and ends at the opposite edge of one of them.
+/// Edges of `a` that are not in the other's plane. With a shared corner the opposite edge alone: what the
+/// triangles have in common is a segment that starts there and ends at the opposite edge of one of them.
 bool edge_meets(const Corners& a, const Signs& a_side, const Corners& b, int shared) {
   for (int k = 0; k < 3; ++k) {
     if (shared == 1 && k != 1) continue;

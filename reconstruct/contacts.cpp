@@ -35,7 +35,8 @@ std::vector<std::array<std::uint32_t, 2>> find_contacts(const Surface& surface) 
   BoxTree(boxes).for_pairs([&](std::uint32_t i, std::uint32_t j) {
     Triple a = surface.triangles[i], b = surface.triangles[j];
     const int shared = align(a, b);
-    if (shared == 3 || touch(corners(a), corners(b), shared)) found.push_back({std::min(i, j), std::max(i, j)});
+    if (shared == 3 || touch(corners(a), corners(b), shared))
+      found.push_back({std::min(i, j), std::max(i, j)});
   });
   std::sort(found.begin(), found.end());
   return found;

@@ -32,8 +32,8 @@ std::uint32_t connected_by(std::vector<FlatEdge> edges, std::uint32_t triangles)
   return regions;
 }
 
-std::array<std::uint32_t, 3> numbers_of(const FaceTriangulation& face, const std::vector<std::uint32_t>& number,
-                                        std::size_t t) {
+std::array<std::uint32_t, 3> numbers_of(const FaceTriangulation& face,
+                                        const std::vector<std::uint32_t>& number, std::size_t t) {
   const auto& v = face.triangles[t];
   return {number[v[0]], number[v[1]], number[v[2]]};
 }
@@ -74,7 +74,8 @@ Flats measure_flats(std::span<const FaceTriangulation> faces, const Numbering& n
       if (face.is_flat(t)) flats.planes[face.plane].flat += area;
     }
   }
-  flats.regions = count_regions(faces, numbering, [&](std::size_t f, std::size_t t) { return faces[f].is_flat(t); });
+  flats.regions =
+      count_regions(faces, numbering, [&](std::size_t f, std::size_t t) { return faces[f].is_flat(t); });
   return flats;
 }
 

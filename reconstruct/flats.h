@@ -29,7 +29,7 @@ std::uint32_t count_regions(std::span<const FaceTriangulation> faces, const Numb
                             const TriangleFilter& counts);
 
 /// REQUIRES: the faces' `covered` filled by all cells.
-Flats measure_flats(std::span<const FaceTriangulation> faces, const Numbering& numbering, const WorldGrid& grid,
-                    std::size_t plane_count);
+Flats measure_flats(std::span<const FaceTriangulation> faces, const Numbering& numbering,
+                    const WorldGrid& grid, std::size_t plane_count);
 
 }  // namespace crossloft

@@ -55,7 +55,8 @@ Result<Done> Pipeline::glue_cells() {
   return Done{};
 }
 
-/// Vertices whose coordinates are not exact: points of lines, midpoints, and all where the grid is finer than doubles.
+/// Vertices whose coordinates are not exact: points of lines, midpoints, and all where the grid is finer than
+/// doubles.
 std::vector<std::uint8_t> Pipeline::rounded_vertices(const GluedSurface& glued) const {
   std::vector<std::uint8_t> rounded;
   for (const SurfaceVertex& v : glued.vertices) {

@@ -130,7 +130,8 @@ class Mender {
     return copies;
   }
 
-  /// Moves the vertices, all at one place, to the best of 26 places around; false if none is better than theirs.
+  /// Moves the vertices, all at one place, to the best of 26 places around; false if none is better than
+  /// theirs.
   bool improve(const BoxTree& tree, const std::vector<std::uint32_t>& vertices, double reach) {
     std::vector<std::uint32_t> around;
     for (const std::uint32_t v : vertices)

@@ -56,7 +56,7 @@ struct CellState {
   Answers answers;     ///< to them, by final numbers and faces of the arrangement
   std::vector<std::array<std::uint32_t, 4>> bridge_tets;
   std::vector<GroundTriangle> bridge_ground;
-  CellBridges bridges;                 ///< mode natural
+  CellBridges bridges;  ///< mode natural
   std::vector<std::array<std::uint32_t, 4>> roof_tets;
   std::vector<GroundTriangle> ground;  ///< internal triangles that kept tetrahedra stand on
   BuiltCell built;                     ///< only for an observer

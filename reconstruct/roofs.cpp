@@ -81,7 +81,8 @@ class RoofBuilder {
     return {t.face, {a, b}};
   }
 
-  /// Edges with two triangles; vertices with as many of these edges as triangles. Each face's direction upwards.
+  /// Edges with two triangles; vertices with as many of these edges as triangles. Each face's direction
+  /// upwards.
   void name_parts() {
     std::map<EdgeName, int> sides;
     std::map<VertexName, int> balance;
@@ -111,8 +112,7 @@ class RoofBuilder {
   }
   void raise_middle(std::size_t t) {
     const FlatTriangle& f = site_.triangles[t];
-    triangles_[t].raised =
-        raise(1.0 / 3 * (corner(f.v[0]) + corner(f.v[1]) + corner(f.v[2])), up_[f.face]);
+    triangles_[t].raised = raise(1.0 / 3 * (corner(f.v[0]) + corner(f.v[1]) + corner(f.v[2])), up_[f.face]);
   }
   void raise_edge(const EdgeName& name, Part& edge) {
     edge.raised = raise(0.5 * (corner(name.ends[0]) + corner(name.ends[1])), up_[name.face]);
@@ -237,8 +237,8 @@ class RoofBuilder {
     }
   }
 
-  /// By piece: 1 if it is not sound or overlaps something. Those whose points have not moved were good before, and are
-  /// asked by the others only.
+  /// By piece: 1 if it is not sound or overlaps something. Those whose points have not moved were good
+  /// before, and are asked by the others only.
   std::vector<std::uint8_t> misfits() const {
     std::vector<std::uint8_t> bad(pieces_.size(), 0);
     std::vector<Bounds> boxes;
@@ -291,7 +291,8 @@ class RoofBuilder {
     for (const Piece& p : pieces_) {
       roofs.tets.push_back(p.tet);
       for (const std::uint32_t v : p.tet)
-        if (v >= kFirstRaisedPoint) roofs.height = std::max(roofs.height, raised_[v - kFirstRaisedPoint].height);
+        if (v >= kFirstRaisedPoint)
+          roofs.height = std::max(roofs.height, raised_[v - kFirstRaisedPoint].height);
     }
     for (const Part& t : triangles_) roofs.built.push_back(t.built ? 1 : 0);
     return roofs;

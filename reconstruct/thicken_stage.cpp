@@ -42,7 +42,8 @@ FlatTriangle flat_triangle(const Found& found, const FaceTriangulation& face, co
 std::vector<CellSide> sides_of(const Arrangement& arrangement, CellId cell) {
   std::vector<CellSide> sides;
   for (const FaceId f : arrangement.faces_of(cell))
-    sides.push_back({arrangement.plane(arrangement.plane_of(f)), arrangement.cells_of(f)[0] == cell ? -1 : 1});
+    sides.push_back(
+        {arrangement.plane(arrangement.plane_of(f)), arrangement.cells_of(f)[0] == cell ? -1 : 1});
   return sides;
 }
 
@@ -127,8 +128,9 @@ Result<Done> Pipeline::thicken() {
     if (!roofs) return roofs.error();
     take_roofs(std::move(roofs).value());
   }
-  result_.report.thickened_regions = count_regions(
-      faces_, numbering_, [&](std::size_t f, std::size_t t) { return was_flat[f][t] != 0 && !faces_[f].is_flat(t); });
+  result_.report.thickened_regions = count_regions(faces_, numbering_, [&](std::size_t f, std::size_t t) {
+    return was_flat[f][t] != 0 && !faces_[f].is_flat(t);
+  });
   for (const CellState& cell : cells_)
     roof_tets_.insert(roof_tets_.end(), cell.roof_tets.begin(), cell.roof_tets.end());
   if (!roof_tets_.empty()) glued_.reset();

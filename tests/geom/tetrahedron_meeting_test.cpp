@@ -12,7 +12,9 @@ namespace {
 
 using Ints = std::array<LatticeVector, 4>;
 
-LatticeTet tet(const Ints& c) { return {make_point(c[0]), make_point(c[1]), make_point(c[2]), make_point(c[3])}; }
+LatticeTet tet(const Ints& c) {
+  return {make_point(c[0]), make_point(c[1]), make_point(c[2]), make_point(c[3])};
+}
 
 const Ints kCorner{{{0, 0, 0}, {12, 0, 0}, {0, 12, 0}, {0, 0, 12}}};
 

@@ -27,10 +27,10 @@ TEST_CASE("separation on request leaves no contact in the figures, and moves no 
   constexpr double kSeparation = 1e-3;
   std::size_t touching = 0;
   for (const PruneMode mode : {PruneMode::natural, PruneMode::joint})
-    for (const char* name :
-         {"figures/fig14p.contour", "figures/fig16_one_two.contour", "figures/fig16_center.contour",
-          "figures/fig17.contour", "figures/fig17_cross.contour", "figures/fig18.contour", "figures/fig19.contour",
-          "figures/fig20.contour", "figures/fig20b.contour", "topology/link.contour"}) {
+    for (const char* name : {"figures/fig14p.contour", "figures/fig16_one_two.contour",
+                             "figures/fig16_center.contour", "figures/fig17.contour",
+                             "figures/fig17_cross.contour", "figures/fig18.contour", "figures/fig19.contour",
+                             "figures/fig20.contour", "figures/fig20b.contour", "topology/link.contour"}) {
       CAPTURE(std::string(name));
       Options options;
       options.mode = mode;
@@ -49,7 +49,8 @@ TEST_CASE("separation on request leaves no contact in the figures, and moves no 
       CHECK(check_surface(welded(r.surface)).good_topology());
       CHECK(r.report.separation <= kSeparation * r.report.diagonal * 1.000001);
       for (std::size_t v = 0; v < r.surface.points.size(); ++v)
-        CHECK(norm(r.surface.points[v] - before.surface.points[v]) <= kSeparation * r.report.diagonal * 1.000001);
+        CHECK(norm(r.surface.points[v] - before.surface.points[v]) <=
+              kSeparation * r.report.diagonal * 1.000001);
       touching += before.report.touching_copies;
     }
   MESSAGE(touching << " copies touched");

@@ -121,7 +121,8 @@ TEST_CASE("random stars, also of a few units") {
   for (int run = 0; run < 60; ++run) {
     const std::int64_t size = run % 3 == 0 ? 6 : run % 3 == 1 ? 60 : 100000;
     std::vector<LatticeVector> ring;
-    for (const LatticeVector& d : std::vector<LatticeVector>{{3, 0, 0}, {2, 2, 0}, {0, 3, 0}, {-2, 2, 0}, {-3, 0, 0}, {-1, -3, 0}, {2, -2, 0}})
+    for (const LatticeVector& d : std::vector<LatticeVector>{
+             {3, 0, 0}, {2, 2, 0}, {0, 3, 0}, {-2, 2, 0}, {-3, 0, 0}, {-1, -3, 0}, {2, -2, 0}})
       if (random() % 4 != 0) {
         const std::int64_t f = size * (1 + static_cast<std::int64_t>(random() % 9)) / 6;
         ring.push_back({d[0] * f, d[1] * f, 0});

@@ -1,6 +1,7 @@
 /// Flat regions as thin plates: the solid meets each plane in its section, whole.
 
 #include "../../inspect/check.h"
+#include "../fuzz/section_judge.h"
 #include "shown.h"
 
 using namespace crossloft;
@@ -38,11 +39,13 @@ std::vector<Scene> flat_scenes() {
   strict.natural.join_confidence = 0.9;
   strict.natural.alone_confidence = 1;
   for (const std::uint64_t seed : {1u, 2u, 3u, 4u})
-    scenes.push_back({"genus 2 by 6, set " + std::to_string(seed), cut_randomly(genus2_solid(14), 6, seed), strict});
+    scenes.push_back(
+        {"genus 2 by 6, set " + std::to_string(seed), cut_randomly(genus2_solid(14), 6, seed), strict});
   Options paper;
   paper.mode = PruneMode::paper;
   for (const std::uint64_t seed : {1u, 2u, 3u, 4u})
-    scenes.push_back({"gyroid by 8, set " + std::to_string(seed), cut_randomly(gyroid_solid(12), 8, seed), paper});
+    scenes.push_back(
+        {"gyroid by 8, set " + std::to_string(seed), cut_randomly(gyroid_solid(12), 8, seed), paper});
   return scenes;
 }
 
@@ -54,7 +57,12 @@ TEST_CASE("with plates no section is bare, and the solid meets each plane in its
     CAPTURE(scene.name);
     const Reconstruction before = run(scene.sections, {}, scene.options);
     scene.options.thicken = 2e-3;
-    const Reconstruction r = run(scene.sections, {}, scene.options);
+    SectionJudge judge;
+    const auto result = reconstruct(scene.sections, scene.options, {}, &judge);
+    REQUIRE(result.ok());
+    const Reconstruction& r = *result;
+    CHECK(judge.complaint() == "");
+    for (const double area : judge.flat_area) CHECK(area == 0);
     CHECK(r.report.flat_area == 0);
     CHECK(r.report.flat_regions == 0);
     CHECK(r.report.thickened_regions >= before.report.flat_regions);
