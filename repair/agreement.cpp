@@ -10,7 +10,7 @@
 #include <map>
 #include <tuple>
 
-#include "disjoint_parts.h"
+#include "../geom/disjoint_sets.h"
 #include "line_patches.h"
 #include "line_target.h"
 #include "repair_steps.h"
@@ -59,7 +59,7 @@ class Agreement {
   void look_at_line(std::uint32_t line, const std::vector<std::vector<const ContestedPoint*>>& contested);
   std::vector<ContestedPoint> contested_points() const;
   std::vector<bool> beyond_limit();
-  void join_touching(DisjointParts& groups) const;
+  void join_touching(DisjointSets& groups) const;
   bool apply();
   PlaneLines lines_in(std::uint32_t plane, const std::vector<bool>& left_out) const;
   void add_plugs(std::uint32_t plane, const PlaneLines& in_plane, std::vector<Patch>& patches) const;
@@ -167,7 +167,7 @@ void Agreement::look() {
 
 /// Contradictions that can only be solved together: misfits of one line that touch, and those of several
 /// lines at one contested point.
-void Agreement::join_touching(DisjointParts& groups) const {
+void Agreement::join_touching(DisjointSets& groups) const {
   const double tolerance = setting_.on;
   const auto touch = [&](const Contradiction& a, const Contradiction& b) {
     for (const Misfit& m : a.misfits)
@@ -183,7 +183,7 @@ void Agreement::join_touching(DisjointParts& groups) const {
   for (std::uint32_t i = 0; i < contradictions_.size(); ++i)
     for (std::uint32_t j = i + 1; j < contradictions_.size(); ++j)
       if (contradictions_[i].line == contradictions_[j].line && touch(contradictions_[i], contradictions_[j]))
-        groups.unite(i, j);
+        groups.join(i, j);
   for (const ContestedPoint& c : contested_) {
     std::uint32_t first = kNone;
     for (std::uint32_t i = 0; i < contradictions_.size(); ++i) {
@@ -191,14 +191,14 @@ void Agreement::join_touching(DisjointParts& groups) const {
       if (!std::binary_search(lines.begin(), lines.end(), contradictions_[i].line)) continue;
       if (!holds(contradictions_[i], c.point.point)) continue;
       if (first == kNone) first = i;
-      groups.unite(first, i);
+      groups.join(first, i);
     }
   }
 }
 
 /// [contradiction] it, or one that is solved together with it, needs more than the limit.
 std::vector<bool> Agreement::beyond_limit() {
-  DisjointParts groups(contradictions_.size());
+  DisjointSets groups(contradictions_.size());
   join_touching(groups);
   std::map<std::uint32_t, double> depth;
   for (std::uint32_t i = 0; i < contradictions_.size(); ++i) {

@@ -5,7 +5,7 @@
 #include <map>
 #include <tuple>
 
-#include "disjoint_parts.h"
+#include "../geom/disjoint_sets.h"
 #include "repair_steps.h"
 #include "section_edit.h"
 #include "segment_distance.h"
@@ -78,12 +78,12 @@ void tell(Work& work, WorkPlane& plane, RepairKind kind, const std::map<std::uin
 void merge_repeated(Work& work, WorkPlane& plane) {
   PlaneSection& p = plane.section;
   const double tolerance = work.options.repeated * work.diagonal;
-  DisjointParts parts(p.vertices.size());
+  DisjointSets parts(p.vertices.size());
   std::map<std::uint32_t, Tally> tallies;
   for (const ContourEdge& e : p.edges) {
     const double length = norm(p.vertices[e.a] - p.vertices[e.b]);
     if (length > tolerance || parts.find(e.a) == parts.find(e.b)) continue;
-    parts.unite(e.a, e.b);
+    parts.join(e.a, e.b);
     tallies[e.contour].add(e.b, length);
   }
   if (tallies.empty()) return;
@@ -179,9 +179,9 @@ void close_gap(Work& work, WorkPlane& plane, const Gap& gap) {
 /// Takes out the connected walls around each end.
 void leave_out(Work& work, WorkPlane& plane, const std::vector<std::uint32_t>& ends) {
   PlaneSection& p = plane.section;
-  DisjointParts parts(p.vertices.size());
+  DisjointSets parts(p.vertices.size());
   for (const ContourEdge& e : p.edges)
-    if (is_wall(e)) parts.unite(e.a, e.b);
+    if (is_wall(e)) parts.join(e.a, e.b);
   std::map<std::uint32_t, std::uint32_t> open;  // part -> number of edges taken out
   std::map<std::uint32_t, std::uint32_t> first_end, contour;
   for (const std::uint32_t v : ends) {

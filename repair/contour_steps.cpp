@@ -6,7 +6,7 @@
 #include <map>
 
 #include "../geom/bounds.h"
-#include "disjoint_parts.h"
+#include "../geom/disjoint_sets.h"
 #include "repair_steps.h"
 #include "section_edit.h"
 
@@ -24,8 +24,8 @@ struct Loop {
 
 void drop_tiny_loops(Work& work, WorkPlane& plane) {
   PlaneSection& p = plane.section;
-  DisjointParts parts(p.vertices.size());
-  for (const ContourEdge& e : p.edges) parts.unite(e.a, e.b);
+  DisjointSets parts(p.vertices.size());
+  for (const ContourEdge& e : p.edges) parts.join(e.a, e.b);
   std::map<std::uint32_t, Loop> loops;
   for (const ContourEdge& e : p.edges) {
     Loop& l = loops[parts.find(e.a)];

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <map>
 
-#include "disjoint_parts.h"
+#include "../geom/disjoint_sets.h"
 
 namespace crossloft {
 namespace {
@@ -214,8 +214,8 @@ Patch plug(const PlaneLines& plane, Vec3 point, const std::vector<const CommonLi
 }
 
 std::uint32_t drop_crumbs(PlaneSection& section, const PlaneLines& plane, double size) {
-  DisjointParts parts(section.vertices.size());
-  for (const ContourEdge& e : section.edges) parts.unite(e.a, e.b);
+  DisjointSets parts(section.vertices.size());
+  for (const ContourEdge& e : section.edges) parts.join(e.a, e.b);
   struct Part {
     Bounds box;
     bool fresh = false, meets_line = false;

@@ -5,7 +5,7 @@
 #include <map>
 #include <set>
 
-#include "disjoint_parts.h"
+#include "../geom/disjoint_sets.h"
 #include "segment_distance.h"
 
 namespace crossloft {
@@ -210,10 +210,10 @@ void tidy_section(PlaneSection& section) {
     kept.push_back(section.vertices[v]);
   }
   section.vertices = std::move(kept);
-  DisjointParts parts(section.vertices.size());
+  DisjointSets parts(section.vertices.size());
   for (ContourEdge& e : section.edges) {
     e.a = index[e.a], e.b = index[e.b];
-    parts.unite(e.a, e.b);
+    parts.join(e.a, e.b);
   }
   std::map<std::uint32_t, std::uint32_t> number;
   for (ContourEdge& e : section.edges)
