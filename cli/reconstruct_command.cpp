@@ -205,6 +205,20 @@ void add_reconstruct(CLI::App& program, ExitCode& outcome) {
                    "diagonal, 0: none; the solid then meets the sections of --dump-sections")
       ->capture_default_str()
       ->check(CLI::Range(0.0, 1.0));
+  command
+      ->add_option(
+          "--thicken", a.options.thicken,
+          "give section regions that nothing faces a plate of solid no thicker than this; a fraction of "
+          "the diagonal, 0: they are left out")
+      ->capture_default_str()
+      ->check(CLI::Range(0.0, 1.0));
+  command
+      ->add_option(
+          "--separate", a.options.separation,
+          "where the surface touches itself, move its vertices apart by up to this, even if sections move "
+          "with them; a fraction of the diagonal, 0: only where no section changes")
+      ->capture_default_str()
+      ->check(CLI::Range(0.0, 1.0));
   command->add_flag("--repair", a.repair, "repair the sections first, as crossloft repair does");
   add_repair_limit(*command, "--repair-limit", a.repair_options);
   command->add_flag("!--keep-touching", a.options.separate,

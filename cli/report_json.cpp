@@ -10,11 +10,10 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json to_json(const StageSeconds& s) {
-  return {{"input", s.input},         {"arrangement", s.arrangement},
-          {"crossings", s.crossings}, {"faces", s.faces},
-          {"branching", s.branching}, {"delaunay", s.delaunay},
-          {"pruning", s.pruning},     {"gluing", s.gluing},
-          {"separating", s.separating}, {"total", s.total}};
+  return {{"input", s.input},     {"arrangement", s.arrangement}, {"crossings", s.crossings},
+          {"faces", s.faces},     {"branching", s.branching},     {"delaunay", s.delaunay},
+          {"pruning", s.pruning}, {"gluing", s.gluing},           {"separating", s.separating},
+          {"total", s.total}};
 }
 
 Json to_json(const PlaneReport& p) {
@@ -94,7 +93,9 @@ Json to_json(const Options& o) {
           {"plane_tolerance", o.plane_tolerance},
           {"on_tolerance", o.on_tolerance},
           {"simplify", o.simplify},
-          {"separate", o.separate}};
+          {"thicken", o.thicken},
+          {"separate", o.separate},
+          {"separation", o.separation}};
 }
 
 Json input_part(const Report& r) {
@@ -135,9 +136,16 @@ Json result_part(const Report& r) {
           {"separated_copies", r.separated_copies},
           {"touching_copies", r.touching_copies},
           {"separation", r.separation},
+          {"contacts", r.contacts},
+          {"crossing_pairs", r.crossing_pairs},
+          {"crossing_pairs_left", r.crossing_pairs_left},
+          {"mended_vertices", r.mended_vertices},
+          {"mending", r.mending},
           {"volume", r.volume},
           {"flat_area", r.flat_area},
           {"flat_regions", r.flat_regions},
+          {"thickened_regions", r.thickened_regions},
+          {"thickness", r.thickness},
           {"pinched_vertices", r.pinched_vertices},
           {"pinched_edges", r.pinched_edges},
           {"split_edges", r.split_edges},

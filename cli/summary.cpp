@@ -35,9 +35,18 @@ void print_summary(Terminal& terminal, const Report& report) {
   print_topology(terminal, report.topology);
   terminal.print("flat         %u regions, area %.6g of %.6g\n", report.flat_regions, report.flat_area,
                  report.section_area);
+  if (report.thickened_regions != 0)
+    terminal.print("thickened    %u flat regions, by up to %.3g\n", report.thickened_regions,
+                   report.thickness);
   terminal.print("pinched      %u vertices, %u edges; %u copies moved apart, %u left touching\n",
                  report.pinched_vertices, report.pinched_edges, report.separated_copies,
                  report.touching_copies);
+  if (report.crossing_pairs != 0)
+    terminal.print(
+        "mended       %llu pairs of triangles that crossed after rounding, %llu left; %u vertices moved by "
+        "up to %.3g\n",
+        static_cast<unsigned long long>(report.crossing_pairs),
+        static_cast<unsigned long long>(report.crossing_pairs_left), report.mended_vertices, report.mending);
   terminal.print("seconds      %.3g\n", report.seconds.total);
 }
 

@@ -7,6 +7,7 @@ namespace crossloft {
 namespace {
 
 constexpr int kDataBits = 48;
+constexpr int kSmallestExponent = 1074;                // of the smallest double, 2^-1074
 constexpr double kExactIntegers = 9007199254740992.0;  // 2^53
 
 Vec3 scale(Vec3 v, int exponent) {
@@ -40,7 +41,8 @@ Vec3 WorldGrid::from_lattice(const LatticePoint& p) const {
 double WorldGrid::unit() const { return std::ldexp(1.0, -exponent_); }
 
 bool WorldGrid::exact() const {
-  return largest(shift_) + static_cast<double>(kLatticeLimit) <= kExactIntegers;
+  return exponent_ <= kSmallestExponent &&
+         largest(shift_) + static_cast<double>(kLatticeLimit) <= kExactIntegers;
 }
 
 }  // namespace crossloft

@@ -9,8 +9,8 @@ namespace crossloft {
 /// lattice = input 2^exponent - shift, `shift` a vector of integers: multiplications by powers of two are
 /// exact, so lattice points go back to input coordinates without rounding while |lattice + shift| <= 2^53.
 /// That is so for data whose distance from the origin is at most some 28 times their extent (`exact()`);
-/// beyond, the doubles of the input are themselves coarser than the grid and a point goes back to the nearest
-/// double.
+/// beyond, and for coordinates below 1e-308, the doubles of the input are themselves coarser than the grid
+/// and a point goes back to the nearest double.
 class WorldGrid {
  public:
   /// The identity on integers.

@@ -76,6 +76,54 @@ bool coplanar_overlap(const Corners& a, const Corners& b) {
   return turn_b != 0 && !edge_separates(a, b, apex, turn_a) && !edge_separates(b, a, apex, turn_b);
 }
 
+/// The turns of one plane, seen from a point off it.
+struct PlaneView {
+  Vec3 apex;
+  int turn(const Vec3& p, const Vec3& q, const Vec3& r) const { return orient3d(p, q, r, apex); }
+};
+
+/// Some edge of a has all of b strictly on its outer side. REQUIRES: both turn counter-clockwise.
+bool strictly_separated_by_edge(const PlaneView& view, const Corners& a, const Corners& b) {
+  for (int k = 0; k < 3; ++k)
+    if (view.turn(a[k], a[next(k)], b[0]) < 0 && view.turn(a[k], a[next(k)], b[1]) < 0 &&
+        view.turn(a[k], a[next(k)], b[2]) < 0)
+      return true;
+  return false;
+}
+
+/// The direction from the first corner to p is in the closed angle there. REQUIRES: counter-clockwise.
+bool in_angle(const PlaneView& view, const Corners& t, const Vec3& p) {
+  return view.turn(t[0], t[1], p) >= 0 && view.turn(t[0], p, t[2]) >= 0;
+}
+
+bool angles_meet(const PlaneView& view, const Corners& a, const Corners& b) {
+  return in_angle(view, a, b[1]) || in_angle(view, a, b[2]) || in_angle(view, b, a[1]) ||
+         in_angle(view, b, a[2]);
+}
+
+bool coplanar_touch(Corners a, Corners b, int shared) {
+  PlaneView view;
+  if (!off_plane_point(a, view.apex)) return true;
+  const int turn_a = view.turn(a[0], a[1], a[2]), turn_b = view.turn(b[0], b[1], b[2]);
+  if (turn_b == 0) return true;
+  if (shared == 2) return turn_a == turn_b;
+  if (turn_a < 0) std::swap(a[1], a[2]);
+  if (turn_b < 0) std::swap(b[1], b[2]);
+  if (shared == 1) return angles_meet(view, a, b);
+  return !strictly_separated_by_edge(view, a, b) && !strictly_separated_by_edge(view, b, a);
+}
+
+/// Edges of `a` that are not in the other's plane. With a shared corner the opposite edge alone: what the
+/// triangles have in common is a segment that starts there and ends at the opposite edge of one of them.
+bool edge_meets(const Corners& a, const Signs& a_side, const Corners& b, int shared) {
+  for (int k = 0; k < 3; ++k) {
+    if (shared == 1 && k != 1) continue;
+    const bool within = a_side[k] == 0 && a_side[next(k)] == 0;
+    if (!within && piercing(a[k], a[next(k)], b) != Piercing::misses) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 Meeting meeting(const Corners& a, const Corners& b) {
@@ -84,6 +132,15 @@ Meeting meeting(const Corners& a, const Corners& b) {
   if (all_equal(b_side, 0) && coplanar_overlap(a, b)) return Meeting::overlap;
   const Signs a_side{side(b, a[0]), side(b, a[1]), side(b, a[2])};
   return edge_pierces(b, b_side, a) || edge_pierces(a, a_side, b) ? Meeting::crossing : Meeting::none;
+}
+
+bool touch(const Corners& a, const Corners& b, int shared) {
+  const Signs b_side{side(a, b[0]), side(a, b[1]), side(a, b[2])};
+  if (one_sided(b_side)) return false;
+  if (all_equal(b_side, 0)) return coplanar_touch(a, b, shared);
+  if (shared == 2) return false;
+  const Signs a_side{side(b, a[0]), side(b, a[1]), side(b, a[2])};
+  return edge_meets(a, a_side, b, shared) || edge_meets(b, b_side, a, shared);
 }
 
 Piercing piercing(const Vec3& p, const Vec3& q, const Corners& t) {

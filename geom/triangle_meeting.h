@@ -26,6 +26,11 @@ enum class Piercing : std::uint8_t {
 /// Symmetric. Degenerate triangles have no interior: they can pierce and can't be pierced.
 Meeting meeting(const Corners& a, const Corners& b);
 Piercing piercing(const Vec3& p, const Vec3& q, const Corners& triangle);
+/// Whether the closed triangles have common points beside the corners that they share, which stand first in
+/// both and in the same order, and the edge between two of these. `shared` is 0, 1 or 2; other corners with
+/// equal coordinates are common points like any. With a degenerate triangle the answer may be true where they
+/// are apart.
+bool touch(const Corners& a, const Corners& b, int shared);
 /// All corners exactly on one line.
 bool collinear(const Corners& triangle);
 /// p is on the closed triangle. A degenerate one contains its corners only.

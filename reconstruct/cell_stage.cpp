@@ -229,6 +229,8 @@ Result<Done> Pipeline::fill_cells() {
     if (auto done = look_again(); !done) return done;
   for (CellState& cell : cells_) cell.triangulation.reset();
   cover_finally();
+  if (options_.thicken > 0)
+    if (auto done = thicken(); !done) return done;
   finish_faces();
   finish_cells();
   return Done{};
@@ -249,6 +251,7 @@ void Pipeline::finish_cells() {
     if (observer_) observer_->on_cell(CellId{c}, cell.built, cell.pruned);
   }
   cells_.clear();
+  tets_.insert(tets_.end(), roof_tets_.begin(), roof_tets_.end());
   watch_.lap();
 }
 

@@ -30,6 +30,11 @@ struct FaceTriangulation {
   std::vector<Wall> walls;      ///< contour pieces inside the face, local ends
   std::array<std::vector<std::uint8_t>, 2> covered;  ///< by triangle: 1 if a kept tetrahedron of the cell on
                                                      ///< the negative / positive side stands on it
+
+  /// Inside the section, and nothing stands on it. REQUIRES: `covered` filled by all cells.
+  bool is_flat(std::size_t triangle) const {
+    return internal[triangle] != 0 && covered[0][triangle] == 0 && covered[1][triangle] == 0;
+  }
 };
 
 /// What the triangulation of a face is made from.
@@ -43,9 +48,9 @@ struct FaceInput {
 /// The inputs of all faces that are not on the box, by face.
 std::vector<FaceInput> face_inputs(const SectionGraph& graph, const Arrangement& arrangement);
 
-/// Triangulates; without area in its vertices the face has no triangles. `locator` tests its plane. Independent
-/// of other faces: may run in parallel. Error too_thin (with plane and contour) if a contour edge could not
-/// be recovered.
+/// Triangulates; without area in its vertices the face has no triangles. `locator` tests its plane.
+/// Independent of other faces: may run in parallel. Error too_thin (with plane and contour) if a contour edge
+/// could not be recovered.
 Result<FaceTriangulation> triangulate_face(const SectionGraph& graph, const Arrangement& arrangement,
                                            const SectionLocator& locator, const FaceInput& input);
 /// Triangulates the face anew with samples inside its section; what `coarse` has keeps its local number. Its

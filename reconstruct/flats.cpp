@@ -12,7 +12,7 @@ struct FlatEdge {
   bool same_edge(const FlatEdge& o) const { return a == o.a && b == o.b && plane == o.plane; }
 };
 
-std::uint32_t count_regions(std::vector<FlatEdge> edges, std::uint32_t triangles) {
+std::uint32_t connected_by(std::vector<FlatEdge> edges, std::uint32_t triangles) {
   std::sort(edges.begin(), edges.end(), [](const FlatEdge& x, const FlatEdge& y) {
     return std::tie(x.plane, x.a, x.b, x.triangle) < std::tie(y.plane, y.a, y.b, y.triangle);
   });
@@ -32,35 +32,50 @@ std::uint32_t count_regions(std::vector<FlatEdge> edges, std::uint32_t triangles
   return regions;
 }
 
+std::array<std::uint32_t, 3> numbers_of(const FaceTriangulation& face,
+                                        const std::vector<std::uint32_t>& number, std::size_t t) {
+  const auto& v = face.triangles[t];
+  return {number[v[0]], number[v[1]], number[v[2]]};
+}
+
 }  // namespace
+
+std::uint32_t count_regions(std::span<const FaceTriangulation> faces, const Numbering& numbering,
+                            const TriangleFilter& counts) {
+  std::vector<FlatEdge> edges;
+  std::uint32_t triangles = 0;
+  for (std::size_t f = 0; f < faces.size(); ++f)
+    for (std::size_t t = 0; t < faces[f].triangles.size(); ++t) {
+      if (faces[f].internal[t] == 0 || !counts(f, t)) continue;
+      const auto v = numbers_of(faces[f], numbering.of_face[f], t);
+      for (std::size_t i = 0; i < 3; ++i) {
+        const auto [a, b] = std::minmax(v[i], v[(i + 1) % 3]);
+        edges.push_back({a, b, faces[f].plane, triangles});
+      }
+      ++triangles;
+    }
+  return connected_by(std::move(edges), triangles);
+}
 
 Flats measure_flats(std::span<const FaceTriangulation> faces, const Numbering& numbering,
                     const WorldGrid& grid, std::size_t plane_count) {
   Flats flats;
   flats.planes.resize(plane_count);
-  std::vector<FlatEdge> edges;
-  std::uint32_t triangles = 0;
   for (std::size_t f = 0; f < faces.size(); ++f) {
     const FaceTriangulation& face = faces[f];
     for (std::size_t t = 0; t < face.triangles.size(); ++t) {
       if (face.internal[t] == 0) continue;
-      std::array<std::uint32_t, 3> v;
-      for (std::size_t i = 0; i < 3; ++i) v[i] = numbering.of_face[f][face.triangles[t][i]];
+      const auto v = numbers_of(face, numbering.of_face[f], t);
       const Vec3 p = grid.from_lattice(numbering.points[v[0]]);
       const double area = norm(cross(grid.from_lattice(numbering.points[v[1]]) - p,
                                      grid.from_lattice(numbering.points[v[2]]) - p)) /
                           2;
       flats.planes[face.plane].section += area;
-      if (face.covered[0][t] != 0 || face.covered[1][t] != 0) continue;
-      flats.planes[face.plane].flat += area;
-      for (std::size_t i = 0; i < 3; ++i) {
-        const auto [a, b] = std::minmax(v[i], v[(i + 1) % 3]);
-        edges.push_back({a, b, face.plane, triangles});
-      }
-      ++triangles;
+      if (face.is_flat(t)) flats.planes[face.plane].flat += area;
     }
   }
-  flats.regions = count_regions(std::move(edges), triangles);
+  flats.regions =
+      count_regions(faces, numbering, [&](std::size_t f, std::size_t t) { return faces[f].is_flat(t); });
   return flats;
 }
 

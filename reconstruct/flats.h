@@ -2,6 +2,7 @@
 /// Flats: parts of the sections that no tetrahedron stands on, on either side.
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -20,8 +21,15 @@ struct Flats {
   std::uint32_t regions = 0;       ///< edge-connected flat regions, each within one plane
 };
 
+/// True for a section triangle of a face that counts.
+using TriangleFilter = std::function<bool(std::size_t face, std::size_t triangle)>;
+
+/// Edge-connected regions of the section triangles that count, each within one plane.
+std::uint32_t count_regions(std::span<const FaceTriangulation> faces, const Numbering& numbering,
+                            const TriangleFilter& counts);
+
 /// REQUIRES: the faces' `covered` filled by all cells.
-Flats measure_flats(std::span<const FaceTriangulation> faces, const Numbering& numbering, const WorldGrid& grid,
-                    std::size_t plane_count);
+Flats measure_flats(std::span<const FaceTriangulation> faces, const Numbering& numbering,
+                    const WorldGrid& grid, std::size_t plane_count);
 
 }  // namespace crossloft

@@ -3,11 +3,25 @@
 #include "pipeline.h"
 
 #include "assemble.h"
+#include "contacts.h"
 #include "flats.h"
+#include "mend.h"
 #include "section_confinement.h"
 #include "self_check.h"
 
 namespace crossloft {
+namespace {
+
+/// Of moves that the user has asked for.
+constexpr int kHalvings = 8, kRounds = 8;
+
+/// Sections may change.
+struct Anywhere : Confinement {
+  bool may_move(const Umbrella&) const override { return true; }
+  bool admit(const Umbrella&, Vec3&) const override { return true; }
+};
+
+}  // namespace
 
 Result<Done> Pipeline::glue_cells() {
   result_.solid = assemble_solid(tets_, numbering_, framed_.grid);
@@ -26,6 +40,7 @@ Result<Done> Pipeline::glue_cells() {
   if (observer_) observer_->on_solid(tets_, numbering_);
   Report& report = result_.report;
   report.volume = enclosed_volume(result_.surface);
+  mend(*glued);
   report.pinched_vertices = glued->pinched_vertices;
   report.pinched_edges = glued->pinched_edges;
   report.split_edges = glued->split_edges;
@@ -40,16 +55,50 @@ Result<Done> Pipeline::glue_cells() {
   return Done{};
 }
 
+/// Vertices whose coordinates are not exact: points of lines, midpoints, and all where the grid is finer than
+/// doubles.
+std::vector<std::uint8_t> Pipeline::rounded_vertices(const GluedSurface& glued) const {
+  std::vector<std::uint8_t> rounded;
+  for (const SurfaceVertex& v : glued.vertices) {
+    const bool exact = framed_.grid.exact() && !v.is_midpoint() && numbering_.points[v.a].is_explicit();
+    rounded.push_back(exact ? 0 : 1);
+  }
+  return rounded;
+}
+
+void Pipeline::mend(const GluedSurface& glued) {
+  Report& report = result_.report;
+  const Mending mending = mend_crossings(result_.surface, glued.vertices, rounded_vertices(glued));
+  report.crossing_pairs = mending.found;
+  report.crossing_pairs_left = mending.left;
+  report.mended_vertices = mending.moved;
+  report.mending = mending.largest;
+  if (mending.left != 0)
+    warn(std::to_string(mending.left) + " pairs of triangles cross after rounding and could not be mended");
+}
+
 /// Moves vertices of the surface alone: the solid keeps its points, and the report its volume.
 void Pipeline::separate(const GluedSurface& glued) {
   Report& report = result_.report;
   report.touching_copies = glued.copies;
-  if (!options_.separate || glued.copies == 0) return;
-  const SectionConfinement confinement(graph_, faces_, numbering_, framed_.grid, glued);
-  const Separation separation = separate_copies(result_.surface, glued.vertices, confinement);
-  report.separated_copies = separation.separated;
-  report.touching_copies = separation.touching;
-  report.separation = separation.largest;
+  if (glued.copies == 0) return;
+  const auto take = [&](const Separation& separation) {
+    report.separated_copies += separation.separated;
+    report.touching_copies = separation.touching;
+    report.separation = std::max(report.separation, separation.largest);
+  };
+  SeparationEffort effort;
+  if (options_.separation > 0) effort.longest = options_.separation * framed_.diagonal;
+  if (options_.separate)
+    take(separate_copies(result_.surface, glued.vertices,
+                         SectionConfinement(graph_, faces_, numbering_, framed_.grid, glued), effort));
+  if (options_.separation == 0) return;
+  effort.halvings = kHalvings, effort.rounds = kRounds;
+  take(separate_copies(result_.surface, glued.vertices, Anywhere{}, effort));
+  report.contacts = find_contacts(result_.surface).size();
+  if (report.contacts != 0)
+    warn(std::to_string(report.contacts) + " pairs of triangles touch: " +
+         std::to_string(report.touching_copies) + " vertices could not be moved apart");
 }
 
 /// Section and flat area, plane by plane.

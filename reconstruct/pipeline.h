@@ -19,6 +19,7 @@
 #include "numbering.h"
 #include "observer.h"
 #include "reconstruct.h"
+#include "roofs.h"
 
 namespace crossloft {
 
@@ -55,7 +56,8 @@ struct CellState {
   Answers answers;     ///< to them, by final numbers and faces of the arrangement
   std::vector<std::array<std::uint32_t, 4>> bridge_tets;
   std::vector<GroundTriangle> bridge_ground;
-  CellBridges bridges;                 ///< mode natural
+  CellBridges bridges;  ///< mode natural
+  std::vector<std::array<std::uint32_t, 4>> roof_tets;
   std::vector<GroundTriangle> ground;  ///< internal triangles that kept tetrahedra stand on
   BuiltCell built;                     ///< only for an observer
   PruneResult pruned;
@@ -84,6 +86,10 @@ class Pipeline {
   void build_bridges();
   bool build_bridge(std::uint32_t cell, std::uint32_t number, EdgeRing& ring, BuiltBridges& built);
   void remove_bridges();
+  // thicken_stage.cpp
+  Result<Done> thicken();
+  Result<std::vector<CellRoofs>> roofs_on(std::uint32_t side);
+  void take_roofs(std::vector<CellRoofs> roofs);
   // glue_stage.cpp
   Result<Done> glue_cells();
 
@@ -113,6 +119,8 @@ class Pipeline {
   Result<CellBranching> branch(CellId id, CellState& state);
   void finish_cells();
 
+  std::vector<std::uint8_t> rounded_vertices(const GluedSurface& glued) const;
+  void mend(const GluedSurface& glued);
   void separate(const GluedSurface& glued);
   void report_planes();
 
@@ -149,6 +157,7 @@ class Pipeline {
   std::vector<CellState> cells_;   ///< by cell of the arrangement
   bool samples_may_come_ = false;  ///< cells are pruned to see where branching samples are wanted
   std::vector<std::array<std::uint32_t, 4>> tets_;
+  std::vector<std::array<std::uint32_t, 4>> roof_tets_;  ///< of flat regions
   Reconstruction result_;
 };
 

@@ -42,7 +42,8 @@ Result<Done> check_named(const Sections& sections, std::uint32_t plane, std::uin
 }  // namespace
 
 Result<Done> Pipeline::check_options() const {
-  for (const double tolerance : {options_.match_tolerance, options_.on_tolerance, options_.simplify})
+  for (const double tolerance : {options_.match_tolerance, options_.on_tolerance, options_.simplify,
+                                 options_.thicken, options_.separation})
     if (!(tolerance >= 0 && tolerance <= 1))
       return make_error(ErrorCode::usage, "a tolerance is a fraction of the diagonal, between 0 and 1");
   if (auto good = check_natural(options_.natural); !good) return good;

@@ -2,18 +2,19 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 #include <vector>
 
 #include "../geom/box_tree.h"
 #include "../geom/predicates.h"
 #include "../geom/triangle_meeting.h"
+#include "lists.h"
 
 namespace crossloft {
 namespace {
 
 constexpr double kStep = 0.02;  ///< of the shortest edge at the copy
-constexpr int kHalvings = 4;
 constexpr int kDirectionRounds = 64;
 
 Bounds widened(Bounds box, double by) { return {box.low - Vec3{by, by, by}, box.high + Vec3{by, by, by}}; }
@@ -31,29 +32,15 @@ bool holds_one(const std::array<Vec3, 4>& t, const Corners& corners) {
   return holds(t, corners[0]) || holds(t, corners[1]) || holds(t, corners[2]);
 }
 
-/// Lists by key 0..size-1 from pairs (key, item) sorted.
-struct Lists {
-  std::vector<std::size_t> begin;
-  std::vector<std::uint32_t> items;
-
-  Lists() = default;
-  Lists(std::size_t size, const std::vector<std::pair<std::uint32_t, std::uint32_t>>& sorted)
-      : begin(size + 1, 0) {
-    for (const auto& [key, item] : sorted) {
-      ++begin[key + std::size_t{1}];
-      items.push_back(item);
-    }
-    for (std::size_t k = 0; k < size; ++k) begin[k + 1] += begin[k];
-  }
-  std::span<const std::uint32_t> of(std::size_t key) const {
-    return {items.data() + begin[key], begin[key + 1] - begin[key]};
-  }
-};
-
 class Separator {
  public:
-  Separator(Surface& surface, std::span<const SurfaceVertex> origins, const Confinement& confinement)
-      : surface_(surface), points_(surface.points), origins_(origins), confinement_(confinement) {}
+  Separator(Surface& surface, std::span<const SurfaceVertex> origins, const Confinement& confinement,
+            const SeparationEffort& effort)
+      : surface_(surface),
+        points_(surface.points),
+        origins_(origins),
+        confinement_(confinement),
+        effort_(effort) {}
 
   Separation run() {
     find_copies();
@@ -61,7 +48,10 @@ class Separator {
     find_umbrellas();
     for (std::size_t k = 0; k < copies_.size(); ++k) reach_.push_back(reach(k));
     find_neighbours();
-    for (std::size_t k = 0; k < copies_.size(); ++k) move(k);
+    for (std::size_t k = 0; k < copies_.size(); ++k)
+      if (effort_.rounds == 0 || touches(k)) move(k, direction(k));
+    bool some = true;
+    for (int round = 0; round < effort_.rounds && some; ++round) some = move_touching();
     count_touching();
     return result_;
   }
@@ -108,7 +98,7 @@ class Separator {
     double shortest = Bounds::kFar;
     for (const std::uint32_t t : umbrellas_.of(k))
       shortest = std::min(shortest, norm(points_[spokes(t, copies_[k])[0]] - points_[copies_[k]]));
-    return kStep * shortest;
+    return std::min(kStep * shortest, effort_.longest);
   }
 
   double reach_of(std::uint32_t v) const { return number_[v] == kNone ? 0 : reach_[number_[v]]; }
@@ -184,21 +174,66 @@ class Separator {
     return best;
   }
 
-  void move(std::size_t k) {
-    if (reach_[k] == 0) return;
+  /// False if the way is not free at any step.
+  bool move(std::size_t k, const Vec3& d) {
+    if (reach_[k] == 0) return false;
     const Vec3 from = points_[copies_[k]];
-    const Vec3 d = direction(k);
     const Bounds allowed = room(k);
     double step = reach_[k];
-    for (int i = 0; i <= kHalvings; ++i, step *= 0.5) {
+    for (int i = 0; i <= effort_.halvings; ++i, step *= 0.5) {
       Vec3 to = from + step * d;
       if (!is_finite(to) || !confinement_.admit(umbrella(k), to)) continue;
       if (to == from || !overlap(allowed, {to, to}) || !is_free(k, to)) continue;
       points_[copies_[k]] = to;
       ++result_.separated;
       result_.largest = std::max(result_.largest, norm(to - from));
-      return;
+      return true;
     }
+    return false;
+  }
+
+  /// Another copy is at its place.
+  bool touches(std::size_t k) const {
+    const auto is_here = [&](std::size_t i) { return points_[copies_[i]] == points_[copies_[k]]; };
+    for (std::size_t i = k; i > 0 && same_origin(copies_[i - 1], copies_[k]); --i)
+      if (is_here(i - 1)) return true;
+    for (std::size_t i = k + 1; i < copies_.size() && same_origin(copies_[i], copies_[k]); ++i)
+      if (is_here(i)) return true;
+    return false;
+  }
+
+  /// Those still touching, along other directions; false if none moved.
+  bool move_touching() {
+    bool some = false;
+    for (std::size_t k = 0; k < copies_.size(); ++k) {
+      if (reach_[k] == 0 || !touches(k)) continue;
+      for (const Vec3& d : directions(k))
+        if (is_free_at_first(k, d) && move(k, d)) {
+          some = true;
+          break;
+        }
+    }
+    return some;
+  }
+
+  /// The shortest step first: most directions fail, and fail there.
+  bool is_free_at_first(std::size_t k, const Vec3& d) const {
+    Vec3 to = points_[copies_[k]] + std::ldexp(reach_[k], -effort_.halvings) * d;
+    return is_finite(to) && confinement_.admit(umbrella(k), to) && is_free(k, to);
+  }
+
+  /// Into the cone, against it, and to all points of a grid around.
+  std::vector<Vec3> directions(std::size_t k) const {
+    const Vec3 d = direction(k);
+    std::vector<Vec3> list{d, -d};
+    constexpr int kHalf = 3;
+    for (int x = -kHalf; x <= kHalf; ++x)
+      for (int y = -kHalf; y <= kHalf; ++y)
+        for (int z = -kHalf; z <= kHalf; ++z) {
+          const Vec3 v{double(x), double(y), double(z)};
+          if (norm(v) > 0) list.push_back(1 / norm(v) * v);
+        }
+    return list;
   }
 
   /// What the umbrella sweeps on the way to `to`, a tetrahedron for each triangle: (old place, new place, a,
@@ -254,6 +289,7 @@ class Separator {
   std::vector<Vec3>& points_;
   std::span<const SurfaceVertex> origins_;
   const Confinement& confinement_;
+  const SeparationEffort& effort_;
   std::vector<std::uint32_t> number_;  ///< by vertex: its place in copies_, kNone if it has no other copy
   std::vector<std::uint32_t> copies_;  ///< ascending
   Lists umbrellas_;                    ///< by copy
@@ -265,8 +301,8 @@ class Separator {
 }  // namespace
 
 Separation separate_copies(Surface& surface, std::span<const SurfaceVertex> origins,
-                           const Confinement& confinement) {
-  return Separator(surface, origins, confinement).run();
+                           const Confinement& confinement, const SeparationEffort& effort) {
+  return Separator(surface, origins, confinement, effort).run();
 }
 
 }  // namespace crossloft

@@ -103,6 +103,17 @@ expect 0 '^pinched .*; 0 copies moved apart, [1-9][0-9]* left touching' reconstr
 expect 0 'good' check apart.ply "$source/examples/demo.contour"
 cmp -s apart.ply touching.ply && { echo "FAILED: --keep-touching changes nothing"; failures=$((failures + 1)); }
 
+expect 0 '^pinched .*, 0 left touching' reconstruct "$source/examples/figures/fig18.contour" -o free.ply --separate 1e-3 --report free.json
+grep -q '"contacts": 0,' free.json && grep -q '"separation": 0.001,\?$' free.json || fail 'separated figures touch'
+expect 2 '' reconstruct "$source/examples/demo.contour" -o free.ply --separate 2
+
+# Flat sections: left out with a warning, or plates
+expect 0 'stay bare' reconstruct "$source/examples/figures/fig20b.contour" -o flat.ply --mode joint
+expect 0 '^thickened +1 flat region' reconstruct "$source/examples/figures/fig20b.contour" -o plate.ply --mode joint --thicken 1e-3 --report plate.json
+grep -q '"thickened_regions": 1,' plate.json && grep -q '"flat_regions": 0,' plate.json || fail 'the report tells of no plate'
+expect 0 'good' check plate.ply "$source/examples/figures/fig20b.contour"
+expect 2 '' reconstruct "$source/examples/demo.contour" -o plate.ply --thicken -1
+
 expect 0 'IoU 1$' compare cube.ply cube.ply
 expect 0 '3 planes' slice cube.ply -o cut.contour --parallel 3
 expect 0 'planes +3' info cut.contour

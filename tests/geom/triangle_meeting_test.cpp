@@ -55,10 +55,38 @@ TEST_CASE("degenerate triangles pierce but are not pierced") {
 }
 
 TEST_CASE("a triangle contains what is exactly in its plane and within its closed sides") {
-  for (const Vec3& p : {kBase[0], kBase[2], Vec3{2, 2, 0}, Vec3{1, 0, 0}, Vec3{1, 1, 0}}) CHECK(contains(kBase, p));
-  for (const Vec3& p : {Vec3{1, 1, 0x1p-1074}, Vec3{2, std::nextafter(2.0, 3.0), 0}, Vec3{-0x1p-1074, 1, 0}, Vec3{9, 0, 0}})
+  for (const Vec3& p : {kBase[0], kBase[2], Vec3{2, 2, 0}, Vec3{1, 0, 0}, Vec3{1, 1, 0}})
+    CHECK(contains(kBase, p));
+  for (const Vec3& p :
+       {Vec3{1, 1, 0x1p-1074}, Vec3{2, std::nextafter(2.0, 3.0), 0}, Vec3{-0x1p-1074, 1, 0}, Vec3{9, 0, 0}})
     CHECK_FALSE(contains(kBase, p));
   const Corners flat{Vec3{0, 0, 0}, Vec3{1, 1, 1}, Vec3{2, 2, 2}};
   CHECK(contains(flat, flat[1]));
   CHECK_FALSE(contains(flat, {0.5, 0.5, 0.5}));
+}
+
+TEST_CASE("touching is anything in common beside shared corners") {
+  const double up = std::nextafter(0.0, 1.0);
+  CHECK(touch(kBase, spike({1, 1, 0}), 0));
+  CHECK_FALSE(touch(kBase, spike({1, 1, up}), 0));
+  CHECK(touch(kBase, spike({2, 2, 0}), 0));  // on the border
+  CHECK_FALSE(touch(kBase, spike({2, std::nextafter(2.0, 3.0), 0}), 0));
+  CHECK(touch(kBase, {kBase[0], Vec3{-1, 0, 2}, Vec3{-1, 1, 2}}, 0));        // equal corners, not shared
+  CHECK_FALSE(touch(kBase, {kBase[0], Vec3{-1, 0, 2}, Vec3{-1, 1, 2}}, 1));  // shared
+  CHECK(touch(kBase, {kBase[0], Vec3{1, 1, 1}, Vec3{1, 1, -1}}, 1));
+  CHECK(touch(kBase, {kBase[0], kBase[1], Vec3{0, 1, 1}}, 1));       // a side of both
+  CHECK(touch(kBase, {kBase[0], Vec3{1, 1, 0}, Vec3{1, 1, 3}}, 1));  // an edge of one lies in the other
+  CHECK_FALSE(touch(kBase, {kBase[0], Vec3{1, up, 1}, Vec3{1, -1, 1}}, 1));
+}
+
+TEST_CASE("touching in one plane") {
+  CHECK(touch(kBase, {Vec3{1, 1, 0}, Vec3{2, 1, 0}, Vec3{1, 2, 0}}, 0));
+  CHECK(touch(kBase, {Vec3{4, 0, 0}, Vec3{5, 0, 0}, Vec3{5, 1, 0}}, 0));
+  CHECK_FALSE(touch(kBase, {Vec3{5, 0, 0}, Vec3{6, 0, 0}, Vec3{5, 1, 0}}, 0));
+  CHECK_FALSE(touch(kBase, {kBase[0], Vec3{-1, 0, 0}, Vec3{0, -1, 0}}, 1));
+  CHECK(touch(kBase, {kBase[0], Vec3{9, 0, 0}, Vec3{1, -1, 0}}, 1));
+  CHECK(touch(kBase, {kBase[0], Vec3{9, 1, 0}, Vec3{1, -1, 0}}, 1));
+  CHECK(touch(kBase, {kBase[0], kBase[1], Vec3{1, 1, 0}}, 2));
+  CHECK_FALSE(touch(kBase, {kBase[0], kBase[1], Vec3{1, -1, 0}}, 2));
+  CHECK_FALSE(touch(kBase, {kBase[0], kBase[1], Vec3{1, 1, 1}}, 2));
 }

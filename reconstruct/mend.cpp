@@ -1,0 +1,187 @@
+#include "mend.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "../geom/box_tree.h"
+#include "../geom/triangle_meeting.h"
+#include "lists.h"
+
+namespace crossloft {
+namespace {
+
+using Pair = std::array<std::uint32_t, 2>;
+
+constexpr double kUlp = 0x1p-52;
+constexpr double kLongest = 1e-6;  ///< of the diagonal: a step, where the last place is not coarser still
+constexpr double kFewPlaces = 8;
+
+class Mender {
+ public:
+  Mender(Surface& surface, std::span<const SurfaceVertex> origins, std::span<const std::uint8_t> rounded)
+      : surface_(surface), points_(surface.points), origins_(origins), rounded_(rounded) {}
+
+  Mending run() {
+    std::vector<Pair> bad = find_bad();
+    result_.found = result_.left = bad.size();
+    if (bad.empty()) return result_;
+    const std::vector<Vec3> written = points_;
+    list_umbrellas();
+    const double place = last_place();
+    const double longest = std::max(kLongest * bounds_of(points_).diagonal(), kFewPlaces * place);
+    for (double reach = place; reach <= longest && !bad.empty(); reach *= 2)
+      for (std::size_t before = bad.size() + 1; bad.size() < before && !bad.empty();) {
+        before = bad.size();
+        mend(bad, reach);
+        bad = find_bad();
+      }
+    result_.left = bad.size();
+    for (std::size_t v = 0; v < points_.size(); ++v) {
+      if (points_[v] == written[v]) continue;
+      ++result_.moved;
+      result_.largest = std::max(result_.largest, norm(points_[v] - written[v]));
+    }
+    return result_;
+  }
+
+ private:
+  /// Of the largest coordinate; not 0.
+  double last_place() const {
+    double largest = 0x1p-1022;
+    for (const Vec3& p : points_)
+      largest = std::max({largest, std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
+    return kUlp * largest;
+  }
+
+  Corners corners(std::uint32_t t) const {
+    const auto& c = surface_.triangles[t];
+    return {points_[c[0]], points_[c[1]], points_[c[2]]};
+  }
+  bool is_suspect(std::uint32_t t) const {
+    const auto& c = surface_.triangles[t];
+    return rounded_[c[0]] != 0 || rounded_[c[1]] != 0 || rounded_[c[2]] != 0;
+  }
+  bool is_bad(std::uint32_t s, std::uint32_t t) const {
+    return meeting(corners(s), corners(t)) != Meeting::none;
+  }
+
+  /// Pairs with a suspect triangle that cross or overlap, ascending.
+  std::vector<Pair> find_bad() const {
+    std::vector<std::uint32_t> suspects;
+    std::vector<Bounds> boxes;
+    for (std::uint32_t t = 0; t < surface_.triangles.size(); ++t)
+      if (is_suspect(t)) suspects.push_back(t), boxes.push_back(bounds_of(corners(t)));
+    const BoxTree tree(boxes);
+    std::vector<Pair> bad;
+    for (std::uint32_t t = 0; t < surface_.triangles.size(); ++t)
+      tree.for_overlaps(bounds_of(corners(t)), [&](std::uint32_t i) {
+        const std::uint32_t s = suspects[i];
+        if (s == t || (s < t && is_suspect(t))) return;
+        if (is_bad(s, t)) bad.push_back({std::min(s, t), std::max(s, t)});
+      });
+    std::sort(bad.begin(), bad.end());
+    return bad;
+  }
+
+  void list_umbrellas() {
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> found;
+    for (std::uint32_t t = 0; t < surface_.triangles.size(); ++t)
+      for (const std::uint32_t v : surface_.triangles[t]) found.emplace_back(v, t);
+    std::sort(found.begin(), found.end());
+    umbrellas_ = Lists(points_.size(), found);
+  }
+
+  /// Boxes with room for moves by `reach` of each corner.
+  BoxTree roomy_tree(double reach) const {
+    const Vec3 room{reach, reach, reach};
+    std::vector<Bounds> boxes;
+    for (std::uint32_t t = 0; t < surface_.triangles.size(); ++t) {
+      const Bounds b = bounds_of(corners(t));
+      boxes.push_back({b.low - room, b.high + room});
+    }
+    return BoxTree(boxes);
+  }
+
+  void mend(const std::vector<Pair>& bad, double reach) {
+    const BoxTree tree = roomy_tree(4 * reach);
+    std::vector<std::uint32_t> vertices;
+    for (const Pair& pair : bad)
+      for (const std::uint32_t t : pair)
+        for (const std::uint32_t v : surface_.triangles[t])
+          if (rounded_[v] != 0) vertices.push_back(v);
+    std::sort(vertices.begin(), vertices.end());
+    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    for (const std::uint32_t v : vertices) {
+      const std::vector<std::uint32_t> copies = copies_of(v);
+      if (!improve(tree, copies, reach) && copies.size() > 1) improve(tree, {v}, reach);
+    }
+  }
+
+  /// All vertices of v's origin that are still at its place.
+  std::vector<std::uint32_t> copies_of(std::uint32_t v) const {
+    std::uint32_t first = v;
+    while (first > 0 && origins_[first - 1] == origins_[v]) --first;
+    std::vector<std::uint32_t> copies;
+    for (; first < origins_.size() && origins_[first] == origins_[v]; ++first)
+      if (points_[first] == points_[v]) copies.push_back(first);
+    return copies;
+  }
+
+  /// Moves the vertices, all at one place, to the best of 26 places around; false if none is better than
+  /// theirs.
+  bool improve(const BoxTree& tree, const std::vector<std::uint32_t>& vertices, double reach) {
+    std::vector<std::uint32_t> around;
+    for (const std::uint32_t v : vertices)
+      around.insert(around.end(), umbrellas_.of(v).begin(), umbrellas_.of(v).end());
+    std::sort(around.begin(), around.end());
+    around.erase(std::unique(around.begin(), around.end()), around.end());
+    const Vec3 from = points_[vertices[0]];
+    Vec3 best = from;
+    std::size_t least = count_bad(tree, around);
+    if (least == 0) return true;
+    for (int i = 0; i < 27 && least != 0; ++i) {
+      const Vec3 to = from + reach * Vec3{double(i % 3 - 1), double(i / 3 % 3 - 1), double(i / 9 - 1)};
+      put(vertices, to);
+      const std::size_t found = count_bad(tree, around);
+      if (found < least) least = found, best = to;
+    }
+    put(vertices, best);
+    return !(best == from);
+  }
+
+  void put(const std::vector<std::uint32_t>& vertices, const Vec3& place) {
+    for (const std::uint32_t v : vertices) points_[v] = place;
+  }
+
+  /// Bad pairs with one of the triangles (ascending), and triangles of them without area.
+  std::size_t count_bad(const BoxTree& tree, const std::vector<std::uint32_t>& around) const {
+    std::size_t count = 0;
+    for (const std::uint32_t t : around) {
+      count += collinear(corners(t)) ? 1U : 0U;
+      tree.for_overlaps(bounds_of(corners(t)), [&](std::uint32_t s) {
+        if (s == t || (s < t && std::binary_search(around.begin(), around.end(), s))) return;
+        count += is_bad(s, t) ? 1U : 0U;
+      });
+    }
+    return count;
+  }
+
+  Surface& surface_;
+  std::vector<Vec3>& points_;
+  std::span<const SurfaceVertex> origins_;
+  std::span<const std::uint8_t> rounded_;
+  Lists umbrellas_;  ///< by vertex
+  Mending result_;
+};
+
+}  // namespace
+
+Mending mend_crossings(Surface& surface, std::span<const SurfaceVertex> origins,
+                       std::span<const std::uint8_t> rounded) {
+  return Mender(surface, origins, rounded).run();
+}
+
+}  // namespace crossloft

@@ -1,0 +1,34 @@
+#pragma once
+/// Mending: triangles of a written surface that cross because their vertices are rounded come apart again.
+///
+/// Exact points of lines of two planes and of three planes have no double coordinates, and far from the
+/// origin no lattice point has: rounding moves them by half a unit in the last place, which may push a thin
+/// piece through another.
+
+#include <cstdint>
+#include <span>
+
+#include "glue.h"
+#include "surface.h"
+
+namespace crossloft {
+
+struct Mending {
+  std::uint64_t found = 0;  ///< pairs of triangles that crossed or overlapped, as inspect/check.h counts them
+  std::uint64_t left = 0;   ///< those that do so at the end
+  std::uint32_t moved = 0;  ///< vertices
+  double largest = 0;       ///< longest move
+};
+
+/// Finds pairs of triangles that cross or overlap and have a rounded vertex, and moves rounded vertices of
+/// them, copies of one point together or, where that does not help, one by one, to one of 26 places around
+/// where fewer pairs do: a unit in the last place of the largest coordinate away, twice as far where no move
+/// helps any more, and so on up to a millionth of the diagonal (or 8 units). All exact on the double
+/// coordinates. Triangles without a rounded vertex are as exact as the solid, and do not cross.
+///
+/// `origins` as in GluedSurface, `rounded` by vertex. Expected O(n log n) for n triangles if few pairs cross.
+/// Source: our own.
+Mending mend_crossings(Surface& surface, std::span<const SurfaceVertex> origins,
+                       std::span<const std::uint8_t> rounded);
+
+}  // namespace crossloft
