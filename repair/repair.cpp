@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "../geom/bounds.h"
+#include "../geom/failing.h"
 #include "repair_steps.h"
 #include "section_edit.h"
 #include "section_trace.h"
@@ -135,7 +136,9 @@ bool on_another_plane(const Work& work, const WorkPlane& plane, Vec3 v) {
 
 const char* name_of(RepairKind kind) { return kNames[static_cast<std::size_t>(kind)]; }
 
-Result<Repair> repair_sections(const Sections& in, const RepairOptions& options, const Context& context) {
+namespace {
+
+Result<Repair> repair_all(const Sections& in, const RepairOptions& options, const Context& context) {
   if (auto good = check_input(in, options); !good) return good.error();
   const Bounds box = box_of(in);
   Work work{options, {}, {}, box.diagonal(), {}};
@@ -157,6 +160,12 @@ Result<Repair> repair_sections(const Sections& in, const RepairOptions& options,
   if (options.loops) repair_steps::straighten_runs(work);
   finish(work, in);
   return std::move(work.result);
+}
+
+}  // namespace
+
+Result<Repair> repair_sections(const Sections& in, const RepairOptions& options, const Context& context) {
+  return or_out_of_memory([&] { return repair_all(in, options, context); });
 }
 
 }  // namespace crossloft

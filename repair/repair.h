@@ -80,9 +80,9 @@ struct Repair {
 
 /// Repairs. What no step has a reason to touch stays as it is to the bit, and repairing the result again
 /// changes nothing. The geometry of the result does not depend on the order of planes, contours and vertices.
-/// Errors: usage (an option out of range), no_plane, not_finite, zero_normal, index_out_of_range, cancelled.
-/// O(n log n) for n vertices where there is nothing to repair, plus O(k^2) common lines of k planes with
-/// O(n) each.
+/// Errors: usage (an option out of range), no_plane, not_finite, zero_normal, index_out_of_range, too_large,
+/// out_of_memory, cancelled. O(n log n) for n vertices where there is nothing to repair, plus O(k^2) common
+/// lines of k planes with O(n) each.
 Result<Repair> repair_sections(const Sections& sections, const RepairOptions& options = {},
                                const Context& context = {});
 
