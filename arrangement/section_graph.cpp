@@ -165,7 +165,8 @@ Result<SectionGraph> build_section_graph(const FramedSections& framed, const Arr
   if (auto oriented = orient_walls(graph, context); !oriented) return oriented.error();
   if (tolerances.simplify > 0) steps::simplify_contours(graph, tolerances.simplify);
   if (context.cancelled()) return make_error(ErrorCode::cancelled, "cancelled");
-  if (steps::add_arrangement_vertices(graph, arrangement))
+  const bool more = steps::add_arrangement_vertices(graph, arrangement);
+  if (more || tolerances.simplify > 0)  // simplified contours have new walls
     if (auto oriented = orient_walls(graph, context); !oriented) return oriented.error();
   if (auto located = locate_all(graph, arrangement); !located) return located.error();
   graph.share_rows();

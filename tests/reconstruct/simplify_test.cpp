@@ -62,6 +62,16 @@ TEST_CASE("a torus and a solid of genus 2: manifold and conforming to the simpli
   }
 }
 
+TEST_CASE("a stack of slices, where no point of three planes is added: walls that replace others are oriented too") {
+  const Surface mesh = torus(1, 0.4, 60, 30);
+  const auto sections = slice(mesh, parallel_planes(bounds_of(mesh.points), 6));
+  REQUIRE(sections.ok());
+  const auto r = reconstruct(*sections, simplify(1e-3));
+  REQUIRE(r.ok());
+  CHECK(r->report.simplified_vertices > 0);
+  CHECK(check_promises(*r) > 0);
+}
+
 TEST_CASE("the same bytes for any order of the input and any number of threads") {
   const std::uint64_t seed = 21;
   CAPTURE(seed);
