@@ -194,7 +194,10 @@ std::string verify(const SectionGraph& graph, const Arrangement& arrangement) {
     if (std::any_of(degree.begin(), degree.end(), [](auto d) { return d % 2 != 0; }))
       return "an open contour";
     std::vector<WallEnds> ends;
-    if (!graph.locator(p, ends).conflicts().empty()) return "contours that cross";
+    const SectionLocator locator = graph.locator(p, ends);
+    if (!locator.conflicts().empty()) return "contours that cross";
+    for (std::uint32_t w = 0; w < ends.size(); ++w)
+      if (locator.inside_left(w) != graph.walls[p][w].inside_left) return "a wall with its inner side wrong";
   }
   return {};
 }
