@@ -113,6 +113,26 @@ void add_natural_options(CLI::App& command, NaturalOptions& natural) {
       ->check(CLI::Range(0.0, kLargestSmoothWeight));
 }
 
+/// What is done so that the solid has all of its sections and touches itself nowhere.
+void add_embedding(CLI::App& command, Options& options) {
+  command
+      .add_option(
+          "--thicken", options.thicken,
+          "give section regions that nothing faces a plate of solid no thicker than this; a fraction of "
+          "the diagonal, 0: they are left out")
+      ->capture_default_str()
+      ->check(CLI::Range(0.0, 1.0));
+  command
+      .add_option(
+          "--separate", options.separation,
+          "where the surface touches itself, move its vertices apart by up to this, even if sections move "
+          "with them; a fraction of the diagonal, 0: only where no section changes")
+      ->capture_default_str()
+      ->check(CLI::Range(0.0, 1.0));
+  command.add_flag("!--keep-touching", options.separate,
+                   "leave vertices that the surface has twice where it touches itself in one place");
+}
+
 void add_view(CLI::App& command, PictureOptions& view) {
   command
       .add_option_function<std::vector<int>>(
@@ -191,22 +211,7 @@ void add_reconstruct(CLI::App& program, ExitCode& outcome) {
                    "diagonal, 0: none; the solid then meets the sections of --dump-sections")
       ->capture_default_str()
       ->check(CLI::Range(0.0, 1.0));
-  command
-      ->add_option(
-          "--thicken", a.options.thicken,
-          "give section regions that nothing faces a plate of solid no thicker than this; a fraction of "
-          "the diagonal, 0: they are left out")
-      ->capture_default_str()
-      ->check(CLI::Range(0.0, 1.0));
-  command
-      ->add_option(
-          "--separate", a.options.separation,
-          "where the surface touches itself, move its vertices apart by up to this, even if sections move "
-          "with them; a fraction of the diagonal, 0: only where no section changes")
-      ->capture_default_str()
-      ->check(CLI::Range(0.0, 1.0));
-  command->add_flag("!--keep-touching", a.options.separate,
-                    "leave vertices that the surface has twice where it touches itself in one place");
+  add_embedding(*command, a.options);
   command->add_option("--report", a.report, "also a report (docs/report.md)")->check(extension_in({".json"}));
   command->add_option("--picture", a.picture, "also a picture of sections and surface")
       ->check(extension_in({".png"}));
