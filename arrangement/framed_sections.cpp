@@ -331,7 +331,8 @@ Result<FramedSections> frame_sections(const Sections& in, double plane_tolerance
   const auto done =
       finish_planes(sort_and_join(std::move(frames.planes), std::move(groups)), tolerance, in, out, context);
   if (!done) return done.error();
-  if (std::all_of(out.planes.begin(), out.planes.end(), [](const FramedPlane& p) { return p.walls.empty(); })) {
+  if (std::all_of(out.planes.begin(), out.planes.end(),
+                  [](const FramedPlane& p) { return p.walls.empty(); })) {
     out.planes.clear();  // there is no box around no vertex
     out.warnings.push_back("no contour is wide enough to be told from a line");
   }

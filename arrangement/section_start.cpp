@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <tuple>
 
 #include "../geom/parallel.h"
 #include "../geom/plane_line.h"
@@ -29,17 +30,31 @@ double distance(const LatticePlane& plane, double normal_length, Vec3 p) {
   return std::abs(sum) / normal_length;
 }
 
-/// Shortest contour edge at each of the `count` vertices from `base` on, those of plane p; lattice units.
-std::vector<double> shortest_edges(const SectionGraph& graph, std::uint32_t p, std::uint32_t base,
-                                   std::size_t count) {
-  std::vector<double> shortest(count, INFINITY);
-  for (const Wall& w : graph.walls[p]) {
-    const double l = norm(position(graph.points[w.a]) - position(graph.points[w.b]));
-    shortest[w.a - base] = std::min(shortest[w.a - base], l);
-    shortest[w.b - base] = std::min(shortest[w.b - base], l);
+/// Shortest contour edge at each vertex of one plane, lattice units. The plane's vertices follow each other:
+/// a list over those of all planes, made for each plane, would be most of the work with a stack of slices.
+class ShortestEdges {
+ public:
+  ShortestEdges(const SectionGraph& graph, std::uint32_t p) {
+    std::uint32_t last = 0;
+    for (const Wall& w : graph.walls[p])
+      first_ = std::min({first_, w.a, w.b}), last = std::max({last, w.a, w.b});
+    if (graph.walls[p].empty()) return;
+    of_.assign(last - first_ + 1, INFINITY);
+    for (const Wall& w : graph.walls[p]) {
+      const double l = norm(position(graph.points[w.a]) - position(graph.points[w.b]));
+      of_[w.a - first_] = std::min(of_[w.a - first_], l);
+      of_[w.b - first_] = std::min(of_[w.b - first_], l);
+    }
   }
-  return shortest;
-}
+  /// Infinity where there is no edge.
+  double operator[](std::uint32_t v) const {
+    return v >= first_ && v - first_ < of_.size() ? of_[v - first_] : INFINITY;
+  }
+
+ private:
+  std::uint32_t first_ = kNone;
+  std::vector<double> of_;
+};
 
 /// The planes that meet plane i in a line. In a stack of slices there is none, and nothing to ask of a
 /// vertex.
@@ -85,6 +100,44 @@ std::optional<LatticePoint> target(const SectionGraph& graph, LatticePointStore&
   return best;
 }
 
+/// A vertex near the interior of a wall of the same plane.
+struct Touch {
+  std::uint32_t wall = 0, vertex = 0;
+  double along = 0, distance = 0;  ///< along the wall, times its length; from it, lattice units
+};
+
+/// By wall, those of one wall in its direction. Beyond `snapping` only as far as a quarter of the shortest
+/// edge at the vertex and of the wall: what is small itself keeps its shape.
+std::vector<Touch> find_touches(const SectionGraph& graph, std::uint32_t p, double snapping,
+                                double tolerance) {
+  std::vector<WallEnds> ends;
+  const ShortestEdges shortest(graph, p);
+  std::vector<Touch> touches;
+  for (const auto& [w, v] : graph.locator(p, ends).near_touches(tolerance)) {
+    const Wall& wall = graph.walls[p][w];
+    const Vec3 from = position(graph.points[wall.a]), way = position(graph.points[wall.b]) - from,
+               to = position(graph.points[v]) - from;
+    const Touch touch{w, v, dot(to, way), norm(cross(to, way)) / norm(way)};
+    if (touch.distance <= std::max(snapping, std::min(shortest[v], norm(way)) / 4)) touches.push_back(touch);
+  }
+  std::sort(touches.begin(), touches.end(), [](const Touch& s, const Touch& t) {
+    return std::tie(s.wall, s.along, s.vertex) < std::tie(t.wall, t.along, t.vertex);
+  });
+  return touches;
+}
+
+/// REQUIRES: touches ordered as find_touches() does.
+void lead_through(SectionGraph& graph, std::uint32_t p, const std::vector<Touch>& touches) {
+  for (const Touch& touch : touches) {
+    Wall rest = graph.walls[p][touch.wall];
+    graph.walls[p][touch.wall].b = touch.vertex;
+    rest.a = touch.vertex;
+    std::swap(graph.walls[p][touch.wall], rest);
+    graph.walls[p].push_back(rest);
+  }
+  cancel_pairs(graph.walls[p]);
+}
+
 }  // namespace
 
 SectionGraph start(const FramedSections& framed) {
@@ -110,24 +163,16 @@ namespace {
 
 void join_touching(SectionGraph& graph, std::uint32_t p, double tolerance) {
   std::vector<WallEnds> ends;
-  const auto touches = graph.locator(p, ends).near_touches(std::max(snapping_tolerance(graph.planes[p]), tolerance));
-  for (std::size_t begin = 0, end; begin < touches.size(); begin = end) {
-    const std::uint32_t w = touches[begin][0];
-    const Wall wall = graph.walls[p][w];
-    const Vec3 from = position(graph.points[wall.a]), direction = position(graph.points[wall.b]) - from;
-    std::vector<std::pair<double, std::uint32_t>> through;  // along the wall
-    for (end = begin; end < touches.size() && touches[end][0] == w; ++end)
-      through.emplace_back(dot(position(graph.points[touches[end][1]]) - from, direction), touches[end][1]);
-    std::sort(through.begin(), through.end());
-    for (const auto& [at, v] : through) {
-      Wall rest = graph.walls[p][w];
-      graph.walls[p][w].b = v;
-      rest.a = v;
-      std::swap(graph.walls[p][w], rest);
-      graph.walls[p].push_back(rest);
-    }
-  }
-  cancel_pairs(graph.walls[p]);
+  const double snapping = snapping_tolerance(graph.planes[p]);
+  const std::vector<Touch> touches = find_touches(graph, p, snapping, std::max(snapping, tolerance));
+  const std::vector<Wall> before = graph.walls[p];
+  lead_through(graph, p, touches);
+  const bool all_near =
+      std::all_of(touches.begin(), touches.end(), [&](const Touch& t) { return t.distance <= snapping; });
+  if (all_near || graph.locator(p, ends).conflicts().empty()) return;
+  // Something finer lay between: then only what rounding has parted is joined.
+  graph.walls[p] = before;
+  lead_through(graph, p, find_touches(graph, p, snapping, snapping));
 }
 
 }  // namespace
@@ -146,10 +191,10 @@ void move_onto_lines(SectionGraph& graph, const FramedSections& framed, LatticeP
   for (std::uint32_t i = 0; i < graph.planes.size(); ++i) {
     const std::vector<Vec3>& inputs = framed.planes[i].input;
     const std::vector<std::uint32_t> across = planes_across(graph, i);
-    const std::vector<double> shortest = shortest_edges(graph, i, base, inputs.size());
+    const ShortestEdges shortest(graph, i);
     for (std::uint32_t k = 0; k < inputs.size() && !across.empty(); ++k) {
-      if (shortest[k] == INFINITY) continue;
       const std::uint32_t v = base + k;
+      if (shortest[v] == INFINITY) continue;
       const Vec3 at = framed.grid.scaled(inputs[k]);
       near.clear();
       for (const std::uint32_t j : across)
@@ -158,7 +203,7 @@ void move_onto_lines(SectionGraph& graph, const FramedSections& framed, LatticeP
           std::all_of(near.begin(), near.end(), [&](auto j) { return graph.sign(v, j) == 0; });
       if (!near.empty() && all_exact) ++graph.statistics.on_line;
       if (all_exact) continue;
-      if (const auto point = target(graph, store, i, v, near, shortest[k] / 4)) {
+      if (const auto point = target(graph, store, i, v, near, shortest[v] / 4)) {
         graph.move(v, *point);
         ++graph.statistics.on_line;
       }

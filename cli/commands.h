@@ -10,6 +10,7 @@ namespace crossloft::cli {
 // Each adds its command to the program; parsing a command line that names it runs it and leaves its exit
 // code.
 void add_reconstruct(CLI::App& program, ExitCode& outcome);
+void add_repair(CLI::App& program, ExitCode& outcome);
 void add_info(CLI::App& program, ExitCode& outcome);
 void add_check(CLI::App& program, ExitCode& outcome);
 void add_compare(CLI::App& program, ExitCode& outcome);

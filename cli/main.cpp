@@ -31,6 +31,7 @@ ExitCode run(int argc, char** argv) {
   program.footer(kExitCodes);
   ExitCode outcome = kGood;
   add_reconstruct(program, outcome);
+  add_repair(program, outcome);
   add_info(program, outcome);
   add_check(program, outcome);
   add_compare(program, outcome);

@@ -9,11 +9,14 @@
 #include "../io/write_mesh.h"
 #include "../io/write_sections.h"
 #include "../reconstruct/reconstruct.h"
+#include "../repair/repair.h"
 #include "arguments.h"
 #include "branching_drawings.h"
 #include "commands.h"
 #include "picture/picture.h"
 #include "picture/png_file.h"
+#include "repair_json.h"
+#include "repair_options.h"
 #include "report_json.h"
 #include "summary.h"
 #include "terminal.h"
@@ -27,7 +30,8 @@ struct Arguments {
   Options options;
   PictureOptions view;
   unsigned threads = 0;
-  bool quiet = false;
+  bool quiet = false, repair = false;
+  RepairOptions repair_options;
 };
 
 constexpr std::array kModes{PruneMode::natural, PruneMode::joint, PruneMode::paper, PruneMode::paper_literal};
@@ -48,15 +52,17 @@ Branching branching_named(const std::string& name) {
 }
 
 /// The files that were asked for, one after the other; each appears whole or not at all.
-Result<Done> write_results(const Arguments& arguments, const Reconstruction& result, const Image& picture,
-                           const BranchingDrawings& drawings, const Context& context) {
+Result<Done> write_results(const Arguments& arguments, const Reconstruction& result, const Repair& repair,
+                           const Image& picture, const BranchingDrawings& drawings, const Context& context) {
   Result<Done> written = write_surface(arguments.surface, result.surface, context);
   if (written && !arguments.solid.empty()) written = write_solid(arguments.solid, result.solid, context);
   if (written && !arguments.sections.empty()) {
     written = write_sections(arguments.sections, result.sections, context);
   }
   if (written && !arguments.report.empty()) {
-    written = write_file(arguments.report, report_json(result.report, {arguments.input, arguments.options}));
+    const RepairOrigin repaired{repair, arguments.repair_options};
+    written = write_file(arguments.report, report_json(result.report, {arguments.input, arguments.options},
+                                                       arguments.repair ? &repaired : nullptr));
   }
   if (written && !arguments.picture.empty()) {
     written = write_png(arguments.picture, picture);
@@ -77,8 +83,15 @@ ExitCode run(Arguments arguments) {
   const bool draw = !arguments.drawings.empty();
   if (draw)
     if (auto folder = check_folder(arguments.drawings); !folder) return terminal.fail(folder.error());
-  const auto sections = read_sections(arguments.input, context);
+  auto sections = read_sections(arguments.input, context);
   if (!sections) return terminal.fail(sections.error());
+  Repair repair;
+  if (arguments.repair) {
+    auto repaired = repair_sections(*sections, arguments.repair_options, context);
+    if (!repaired) return terminal.fail(repaired.error());
+    repair = std::move(repaired).value();
+    *sections = repair.sections;
+  }
   BranchingDrawings drawings;
   const auto result = reconstruct(*sections, arguments.options, context, draw ? &drawings : nullptr);
   if (!result) return terminal.fail(result.error());
@@ -86,8 +99,9 @@ ExitCode run(Arguments arguments) {
   if (!arguments.picture.empty()) picture = draw_picture(result->sections, result->surface, arguments.view);
   if (context.cancelled()) return terminal.fail(make_error(ErrorCode::cancelled, "interrupted"));
   ignore_interrupts();  // from here on the files appear, all of them
-  const auto written = write_results(arguments, *result, picture, drawings, context);
+  const auto written = write_results(arguments, *result, repair, picture, drawings, context);
   if (!written) return terminal.fail(written.error());
+  if (arguments.repair) print_repair(terminal, repair);
   print_summary(terminal, result->report);
   if (draw) terminal.print("drawings     %zu in %s\n", drawings.size(), arguments.drawings.c_str());
   return kGood;
@@ -212,6 +226,8 @@ void add_reconstruct(CLI::App& program, ExitCode& outcome) {
       ->capture_default_str()
       ->check(CLI::Range(0.0, 1.0));
   add_embedding(*command, a.options);
+  command->add_flag("--repair", a.repair, "repair the sections first, as crossloft repair does");
+  add_repair_limit(*command, "--repair-limit", a.repair_options);
   command->add_option("--report", a.report, "also a report (docs/report.md)")->check(extension_in({".json"}));
   command->add_option("--picture", a.picture, "also a picture of sections and surface")
       ->check(extension_in({".png"}));

@@ -2,6 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "repair_json.h"
+
 namespace crossloft::cli {
 namespace {
 
@@ -152,7 +154,7 @@ Json result_part(const Report& r) {
 
 }  // namespace
 
-std::string report_json(const Report& report, const ReportOrigin& origin) {
+std::string report_json(const Report& report, const ReportOrigin& origin, const RepairOrigin* repair) {
   Json json;
   json["report_version"] = kReportVersion;
   json["program"] = "crossloft " CROSSLOFT_VERSION;
@@ -167,6 +169,7 @@ std::string report_json(const Report& report, const ReportOrigin& origin) {
   json["topology"] = to_json(report.topology);
   json["result"] = result_part(report);
   json["cells"] = to_json(report.cells);
+  if (repair) json["repair"] = repair_part(repair->repair, repair->options);
   json["notes"] = report.notes;
   json["warnings"] = report.warnings;
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

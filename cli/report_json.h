@@ -4,6 +4,7 @@
 #include <string>
 
 #include "../reconstruct/reconstruct.h"
+#include "../repair/repair.h"
 
 namespace crossloft::cli {
 
@@ -15,7 +16,14 @@ struct ReportOrigin {
   Options options;
 };
 
+/// What was done to the sections first.
+struct RepairOrigin {
+  const Repair& repair;
+  const RepairOptions& options;
+};
+
 /// Indented, with a line break at the end. Numbers that are not finite become null.
-std::string report_json(const Report& report, const ReportOrigin& origin);
+std::string report_json(const Report& report, const ReportOrigin& origin,
+                        const RepairOrigin* repair = nullptr);
 
 }  // namespace crossloft::cli

@@ -5,8 +5,8 @@
 #include <tuple>
 #include <utility>
 
+#include "../geom/disjoint_sets.h"
 #include "../geom/ids.h"
-#include "disjoint_sets.h"
 
 namespace crossloft {
 namespace {
@@ -72,7 +72,7 @@ class TopologyCheck {
 
   void label_components() {
     DisjointSets sets(surface_.points.size());
-    for (const HalfEdge& e : half_edges_) sets.unite(e.low, e.high);
+    for (const HalfEdge& e : half_edges_) sets.join(e.low, e.high);
     std::vector<std::uint32_t> label(surface_.points.size(), kNone);
     for (std::uint32_t i = 0; i < listed_count(); ++i) {
       std::uint32_t& c = label[sets.find(triangle(i)[0])];
@@ -116,8 +116,8 @@ class TopologyCheck {
   /// Triangles around an edge are neighbours in the fans of both its ends.
   void join_fans(std::span<const HalfEdge> sides, DisjointSets& fans) const {
     for (std::size_t i = 1; i < sides.size(); ++i) {
-      fans.unite(corner_at(sides[0], true), corner_at(sides[i], true));
-      fans.unite(corner_at(sides[0], false), corner_at(sides[i], false));
+      fans.join(corner_at(sides[0], true), corner_at(sides[i], true));
+      fans.join(corner_at(sides[0], false), corner_at(sides[i], false));
     }
   }
 

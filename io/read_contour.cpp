@@ -3,6 +3,7 @@
 #include <utility>
 #include <vector>
 
+#include "../geom/disjoint_sets.h"
 #include "../geom/failing.h"
 #include "read_sections.h"
 #include "section_conventions.h"
@@ -47,25 +48,9 @@ void join_ends(PlaneSection& plane) {
   for (ContourEdge& edge : plane.edges) edge.a = joined[edge.a], edge.b = joined[edge.b];
 }
 
-/// Connected components of the edges, with path halving.
-class Components {
- public:
-  explicit Components(std::size_t size) : parent_(size) { std::iota(parent_.begin(), parent_.end(), 0u); }
-  std::uint32_t find(std::uint32_t v) {
-    while (parent_[v] != v) v = parent_[v] = parent_[parent_[v]];
-    return v;
-  }
-  void unite(std::uint32_t v, std::uint32_t w) {
-    parent_[std::max(find(v), find(w))] = std::min(find(v), find(w));
-  }
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
-
 void number_contours(PlaneSection& plane) {
-  Components components(plane.vertices.size());
-  for (const ContourEdge& edge : plane.edges) components.unite(edge.a, edge.b);
+  DisjointSets components(plane.vertices.size());
+  for (const ContourEdge& edge : plane.edges) components.join(edge.a, edge.b);
   std::vector<std::uint32_t> number(plane.vertices.size(), kNone);
   std::uint32_t contours = 0;
   for (ContourEdge& edge : plane.edges) {

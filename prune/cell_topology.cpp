@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "disjoint_sets.h"
+#include "../geom/disjoint_sets.h"
 #include "links.h"
 
 namespace crossloft {

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "../geom/disjoint_sets.h"
 #include "cell_complex.h"
-#include "disjoint_sets.h"
 #include "ground.h"
 
 namespace crossloft {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <span>
 
+#include "../geom/disjoint_sets.h"
 #include "contact.h"
-#include "disjoint_sets.h"
 #include "star.h"
 
 namespace crossloft {

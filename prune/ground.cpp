@@ -1,6 +1,6 @@
 #include "ground.h"
 
-#include "disjoint_sets.h"
+#include "../geom/disjoint_sets.h"
 
 namespace crossloft {
 namespace {

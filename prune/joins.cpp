@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "disjoint_sets.h"
+#include "../geom/disjoint_sets.h"
 
 namespace crossloft {
 namespace {

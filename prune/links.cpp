@@ -5,7 +5,7 @@
 #include <numeric>
 #include <vector>
 
-#include "disjoint_sets.h"
+#include "../geom/disjoint_sets.h"
 #include "star.h"
 
 namespace crossloft {

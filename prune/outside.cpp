@@ -1,6 +1,6 @@
 #include "outside.h"
 
-#include "disjoint_sets.h"
+#include "../geom/disjoint_sets.h"
 #include "star.h"
 
 namespace crossloft {

@@ -4,8 +4,8 @@
 #include <array>
 #include <queue>
 
+#include "../geom/disjoint_sets.h"
 #include "contact.h"
-#include "disjoint_sets.h"
 #include "outside.h"
 #include "star.h"
 

@@ -4,8 +4,8 @@
 #include <array>
 #include <tuple>
 
+#include "../geom/disjoint_sets.h"
 #include "cell_topology.h"
-#include "disjoint_sets.h"
 #include "star.h"
 
 namespace crossloft {

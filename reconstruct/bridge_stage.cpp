@@ -7,7 +7,7 @@
 #include <tuple>
 #include <utility>
 
-#include "../prune/disjoint_sets.h"
+#include "../geom/disjoint_sets.h"
 #include "pipeline.h"
 
 namespace crossloft {

@@ -8,7 +8,7 @@
 
 #include "../delaunay/tet_mesh.h"
 #include "../geom/parallel.h"
-#include "../prune/disjoint_sets.h"
+#include "../geom/disjoint_sets.h"
 #include "../prune/star.h"
 
 namespace crossloft {

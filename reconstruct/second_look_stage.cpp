@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "../prune/confidence.h"
-#include "../prune/disjoint_sets.h"
+#include "../geom/disjoint_sets.h"
 #include "pipeline.h"
 
 namespace crossloft {

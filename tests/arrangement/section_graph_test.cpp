@@ -134,6 +134,27 @@ TEST_CASE("a touch survives the rounding of crossings") {
   CHECK(std::count(degree.begin(), degree.end(), 4) == 1);
 }
 
+TEST_CASE("contours that touch along an edge but for a hair are joined there; what is smaller keeps its shape") {
+  Sections touching;
+  touching.planes.push_back(plane_at({0, 0, 1}, {0, 0, 0}));
+  add_contour(touching.planes[0], square(-1, 0, 0, 1), 0);
+  add_contour(touching.planes[0], square(1 + 1e-10, 1, 0, 1), 1);
+  const Built joined = build(touching);
+  REQUIRE(joined.graph.ok());
+  const auto is_joined = [&](const Wall& w) {  // from a corner of the one to a corner of the other
+    const LatticePoint &a = joined.graph->points[w.a], &c = joined.graph->points[w.b];
+    return a[0] != c[0] && a[1] != c[1];
+  };
+  const auto& joined_walls = joined.graph->walls[0];
+  CHECK(std::count_if(joined_walls.begin(), joined_walls.end(), is_joined) == 2);
+
+  Sections tiny = touching;
+  add_contour(tiny.planes[0], polygon({0, 0, 1}, {-1, 0, 0}, 1e-9, 8), 2);
+  const Built b = build(tiny);
+  REQUIRE(b.graph.ok());
+  CHECK(b.graph->walls[0].size() == 16);
+}
+
 TEST_CASE("contours that cross are named") {
   Sections s;
   PlaneSection plane = plane_at({0, 0, 1}, {0, 0, 0});

@@ -55,7 +55,7 @@ expect 2 '' reconstruct "$source/examples/demo.contour" -o x.ply --mode best
 expect 2 '' reconstruct "$source/examples/demo.contour" -o x.ply --match-tolerance -1
 expect 2 '' slice x.ply -o x.contour --parallel 3 --random 4
 expect 0 '^crossloft [0-9]' --version
-for command in reconstruct info check compare slice moebius delaunay demo; do expect 0 "crossloft $command" $command --help; done
+for command in reconstruct repair info check compare slice moebius delaunay demo; do expect 0 "crossloft $command" $command --help; done
 
 # Bad files
 expect 3 'missing.contour' reconstruct missing.contour -o x.ply
@@ -76,6 +76,25 @@ expect 0 '^volume|volume 1$' reconstruct cube.contour -o cube.ply --solid cube.v
 for file in cube.ply cube.vtu cube.json cube2.contour; do [ -s $file ] || { echo "FAILED: no $file"; failures=$((failures + 1)); }; done
 grep -q '"report_version": 1' cube.json || { echo "FAILED: report without its version"; failures=$((failures + 1)); }
 expect 0 'good' check cube.ply cube.contour
+
+# Repair
+expect 0 '^displacement +0 ' repair cube.contour -o same.contour --report same.json
+cmp -s cube.contour same.contour || { "$program" repair same.contour -o same2.contour >out.txt; cmp -s same.contour same2.contour; } ||
+  fail 'repair changed sections that are good'
+grep -q '"repair_version": 1' same.json || fail 'report of a repair without its version'
+printf "2\n$(section 1)0 0 1 0 4 4\n0 0 0\n1 1 0\n1 0 0\n0 1 0\n$edges" >bowtie2.contour
+expect 3 'crosses itself' reconstruct bowtie2.contour -o bowtie2.ply
+expect 0 '^crossings +1 change' repair bowtie2.contour -o clean.contour --report clean.json
+grep -q '"kind": "crossings"' clean.json || fail 'a change is not in the report'
+expect 0 '^surface' reconstruct clean.contour -o clean.ply
+expect 0 '^crossings +1 change' reconstruct bowtie2.contour -o bowtie2.ply --repair --report bowtie2.json
+grep -q '"repair": {' bowtie2.json || fail 'the report does not tell of the repair'
+printf "2\n$(section 1)0 0 1 0 4 3\n${square//%s/0}0 1 1 0\n1 2 1 0\n2 3 1 0\n" >open2.contour
+expect 1 'left out' repair open2.contour -o open2_clean.contour
+expect 0 '^contour-closed' repair open2.contour -o open2_clean.contour --close-gap 1 --limit 1
+expect 2 '' repair cube.contour -o clean.contour --limit 2
+expect 2 '' repair cube.contour -o cube.contour
+expect 3 'missing.contour' repair missing.contour -o clean.contour
 
 # Where the solid touches itself: moved apart unless told not to, and whole either way
 expect 0 '^pinched .*; [1-9][0-9]* copies moved apart' reconstruct "$source/examples/demo.contour" -o apart.ply --report apart.json

@@ -26,6 +26,7 @@ bool may_refuse(ErrorCode code) {
     case ErrorCode::open_chain:
     case ErrorCode::self_crossing:
     case ErrorCode::contradicting_planes:
+    case ErrorCode::too_thin:
     case ErrorCode::no_plane:
     case ErrorCode::too_large:
     case ErrorCode::zero_normal:

@@ -37,10 +37,12 @@ struct Arguments {
 
 /// What was seen of one kind of set.
 struct Tally {
-  std::uint64_t inputs = 0, refused = 0, empty = 0, broken = 0, with_crossings = 0, with_edges = 0;
+  std::uint64_t inputs = 0, refused = 0, too_thin = 0, empty = 0, broken = 0, with_crossings = 0,
+                with_edges = 0;
   void add(const Verdict& v) {
     ++inputs;
     refused += v.error.has_value();
+    too_thin += v.error == ErrorCode::too_thin;
     empty += v.empty;
     broken += !v.broken.empty();
     with_crossings += v.crossings != 0;
@@ -99,22 +101,24 @@ class Stress {
     if (!kept) std::printf("  could not be kept\n");
   }
 
+  static void print_line(const char* name, const Tally& t) {
+    std::printf("%-10s", name);
+    for (const std::uint64_t n :
+         {t.inputs, t.refused, t.too_thin, t.empty, t.with_crossings, t.with_edges, t.broken})
+      std::printf(" %9llu", static_cast<unsigned long long>(n));
+    std::printf("\n");
+  }
+
   bool print() const {
     Tally all;
-    std::printf("%-10s %10s %10s %10s %10s %10s\n", "planes", "inputs", "refused", "empty", "crossings",
-                "broken");
-    const auto line = [](const char* name, const Tally& t) {
-      std::printf("%-10s %10llu %10llu %10llu %10llu %10llu %10llu\n", name,
-                  static_cast<unsigned long long>(t.inputs), static_cast<unsigned long long>(t.refused),
-                  static_cast<unsigned long long>(t.empty), static_cast<unsigned long long>(t.with_crossings),
-                  static_cast<unsigned long long>(t.with_edges), static_cast<unsigned long long>(t.broken));
-    };
+    std::printf("%-10s %9s %9s %9s %9s %9s %9s %9s\n", "planes", "inputs", "refused", "too thin", "empty",
+                "crossings", "edges", "broken");
     for (const auto& [name, t] : tallies_) {
-      line(name.c_str(), t);
-      all.inputs += t.inputs, all.refused += t.refused, all.empty += t.empty, all.broken += t.broken;
-      all.with_crossings += t.with_crossings, all.with_edges += t.with_edges;
+      print_line(name.c_str(), t);
+      all.inputs += t.inputs, all.refused += t.refused, all.too_thin += t.too_thin, all.empty += t.empty;
+      all.with_crossings += t.with_crossings, all.with_edges += t.with_edges, all.broken += t.broken;
     }
-    line("all", all);
+    print_line("all", all);
     std::printf("slowest: input %llu, %.3f s\n", static_cast<unsigned long long>(slowest_input_), slowest_);
     return all.broken == 0;
   }

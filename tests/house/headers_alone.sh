@@ -6,5 +6,5 @@ alone() {
     -include "$2" -x c++ /dev/null || { echo "$2 does not compile alone"; return 1; }
 }
 export -f alone
-find geom delaunay arrangement moebius prune reconstruct inspect io cli -name '*.h' -print0 |
+find geom delaunay arrangement repair moebius prune reconstruct inspect io cli -name '*.h' -print0 |
   sort -z | xargs -0 -P "$(nproc)" -I{} bash -c 'alone "$@"' _ "$1" {}

@@ -16,8 +16,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::array<std::string, 9> kRooms = {"geom",        "delaunay", "arrangement", "moebius", "prune",
-                                           "reconstruct", "inspect",  "io",          "cli"};
+const std::array<std::string, 10> kRooms = {"geom",  "delaunay",    "arrangement", "repair", "moebius",
+                                            "prune", "reconstruct", "inspect",     "io",     "cli"};
 
 struct Source {
   fs::path path;  ///< relative to the root, as in "geom/vec3.h"

@@ -78,6 +78,8 @@ Sections small_stack() {
   return s;
 }
 
+#ifndef CROSSLOFT_NO_EXCEPTIONS
+
 /// Planes that cross, bridges, samples, a second look.
 Sections crossing_planes() {
   const Surface mesh = torus(1, 0.4, 6, 4);
@@ -85,8 +87,6 @@ Sections crossing_planes() {
   REQUIRE(cut.ok());
   return std::move(cut).value();
 }
-
-#ifndef CROSSLOFT_NO_EXCEPTIONS
 
 /// What `run` gives when allocation n fails, and all after it until it has ended. Nothing may be left
 /// allocated.

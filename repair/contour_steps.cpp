@@ -1,0 +1,133 @@
+/// Third, fourth and last step: contours that do not cross, of a size that means something, without bends by
+/// a hair.
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "../geom/bounds.h"
+#include "../geom/disjoint_sets.h"
+#include "repair_steps.h"
+#include "section_edit.h"
+
+namespace crossloft::repair_steps {
+namespace {
+
+/// Nearer to the line of its neighbours a vertex is on it, up to rounding.
+constexpr double kOnLine = 1e-14;
+
+/// What remains of the connected walls of a section: their box.
+struct Loop {
+  Bounds box;
+  std::uint32_t contour = kNone, vertex = kNone, edges = 0;
+};
+
+void drop_tiny_loops(Work& work, WorkPlane& plane) {
+  PlaneSection& p = plane.section;
+  DisjointSets parts(p.vertices.size());
+  for (const ContourEdge& e : p.edges) parts.join(e.a, e.b);
+  std::map<std::uint32_t, Loop> loops;
+  for (const ContourEdge& e : p.edges) {
+    Loop& l = loops[parts.find(e.a)];
+    l.box.add(p.vertices[e.a]), l.box.add(p.vertices[e.b]);
+    l.contour = std::min(l.contour, e.contour);
+    l.vertex = std::min({l.vertex, e.a, e.b});
+    ++l.edges;
+  }
+  const double size = work.options.tiny_loop * work.diagonal;
+  std::erase_if(loops, [&](const auto& entry) { return entry.second.box.diagonal() > size; });
+  for (const auto& [part, l] : loops)
+    work.note({RepairKind::tiny_loop, plane.source, l.contour, l.vertex, l.edges, l.box.diagonal(),
+               p.vertices[l.vertex], "a loop of " + count_of(l.edges, "edge", "edges") + " was left out"});
+  std::erase_if(p.edges, [&](const ContourEdge& e) { return loops.contains(parts.find(e.a)); });
+  plane.edited |= !loops.empty();
+}
+
+/// How far b is off the segment ac; infinite if it is not between its ends.
+double bend(Vec3 a, Vec3 b, Vec3 c) {
+  if (c < a) std::swap(a, c);
+  const Vec3 d = c - a, e = b - a;
+  const double along = dot(e, d), length2 = dot(d, d);
+  return along > 0 && along < length2 ? norm(cross(e, d)) / std::sqrt(length2) : HUGE_VAL;
+}
+
+/// Vertices with two walls, each with its walls.
+std::vector<std::vector<std::uint32_t>> walls_by_vertex(const PlaneSection& p) {
+  std::vector<std::vector<std::uint32_t>> walls(p.vertices.size());
+  for (std::uint32_t e = 0; e < p.edges.size(); ++e) {
+    walls[p.edges[e].a].push_back(e);
+    walls[p.edges[e].b].push_back(e);
+  }
+  return walls;
+}
+
+/// Vertices that bend a straight run by a hair, taken out in lexicographic order, never two neighbours in one
+/// pass: the run moves by less than the tolerance.
+bool straighten_once(Work& work, WorkPlane& plane, std::map<std::uint32_t, RepairChange>& changes) {
+  PlaneSection& p = plane.section;
+  const auto walls = walls_by_vertex(p);
+  std::vector<std::uint32_t> order;
+  for (std::uint32_t v = 0; v < p.vertices.size(); ++v)
+    if (walls[v].size() == 2 && is_wall(p.edges[walls[v][0]]) && is_wall(p.edges[walls[v][1]]))
+      order.push_back(v);
+  std::sort(order.begin(), order.end(), [&](auto v, auto w) { return p.vertices[v] < p.vertices[w]; });
+  std::vector<bool> settled(p.vertices.size(), false);
+  bool any = false;
+  for (const std::uint32_t v : order) {
+    ContourEdge &e = p.edges[walls[v][0]], &f = p.edges[walls[v][1]];
+    const std::uint32_t u = e.a == v ? e.b : e.a, w = f.a == v ? f.b : f.a;
+    if (settled[v] || settled[u] || settled[w] || u == w) continue;
+    const double off = bend(p.vertices[u], p.vertices[v], p.vertices[w]);
+    if (off <= kOnLine * work.diagonal || off > work.options.collinear * work.diagonal) continue;
+    if (on_another_plane(work, plane, p.vertices[v])) continue;
+    settled[u] = settled[v] = settled[w] = any = true;
+    RepairChange& change = changes[e.contour];
+    change.count = change.vertex == kNone ? 1 : change.count + 1;
+    change.vertex = std::min(change.vertex, v);
+    change.distance = std::max(change.distance, off);
+    e.a = u, e.b = w;
+    f.a = f.b = v;
+  }
+  std::erase_if(p.edges, [](const ContourEdge& e) { return e.a == e.b; });
+  return any;
+}
+
+void straighten(Work& work, WorkPlane& plane) {
+  std::map<std::uint32_t, RepairChange> changes;
+  while (straighten_once(work, plane, changes)) plane.edited = true;
+  for (auto& [contour, change] : changes) {
+    change.kind = RepairKind::nearly_straight;
+    change.plane = plane.source;
+    change.contour = contour;
+    change.point = plane.section.vertices[change.vertex];
+    change.text = count_of(change.count, "vertex", "vertices") + " that bent a straight run by a hair";
+    work.note(change);
+  }
+}
+
+}  // namespace
+
+void repair_crossings(Work& work) {
+  for (WorkPlane& plane : work.planes) {
+    const PlaneChart chart = work.chart(plane);
+    const SectionEdit edit = edit_section(plane.section, chart, {});
+    if (!edit.changed) continue;
+    plane.edited = true;
+    for (const std::uint32_t contour : edit.contours)
+      work.note({RepairKind::crossings, plane.source, contour, kNone, 1, chart.step(), edit.point,
+                 "the contour crosses or touches itself or another: read by even-odd"});
+    if (edit.borders != 0)
+      work.note({RepairKind::borders_left_out, plane.source, kNone, kNone, edit.borders, 0, edit.point,
+                 count_of(edit.borders, "edge", "edges") + " between two materials left out"});
+  }
+}
+
+void repair_loops(Work& work) {
+  for (WorkPlane& plane : work.planes) drop_tiny_loops(work, plane);
+}
+
+void straighten_runs(Work& work) {
+  for (WorkPlane& plane : work.planes) straighten(work, plane);
+}
+
+}  // namespace crossloft::repair_steps

@@ -1,0 +1,171 @@
+#include "repair.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "../geom/bounds.h"
+#include "../geom/failing.h"
+#include "repair_steps.h"
+#include "section_edit.h"
+#include "section_trace.h"
+
+namespace crossloft {
+namespace {
+
+using repair_steps::Work;
+using repair_steps::WorkPlane;
+
+/// Nearer to another plane a vertex is a crossing, as the reconstruction takes it.
+constexpr double kOnPlane = 1e-9;
+
+constexpr std::array<const char*, 15> kNames{"offset-sign",       "plane-fitted",     "onto-plane",
+                                             "planes-united",     "contour-closed",   "contour-left-out",
+                                             "repeated-vertices", "spikes",           "crossings",
+                                             "tiny-loop",         "nearly-straight",  "agreed",
+                                             "pieces-left-out",   "borders-left-out", "left-as-it-is"};
+
+Result<Done> check_options(const RepairOptions& o) {
+  for (const double tolerance : {o.limit, o.plane_tolerance, o.same_plane, o.close_gap, o.repeated, o.spike,
+                                 o.tiny_loop, o.collinear, o.agree})
+    if (!(tolerance >= 0 && tolerance <= 1))
+      return make_error(ErrorCode::usage, "a tolerance is a fraction of the diagonal, between 0 and 1");
+  return Done{};
+}
+
+Error error_in(const Sections& in, std::uint32_t plane, ErrorCode code, std::string message) {
+  return {code, std::move(message), in.source, in.planes[plane].line, plane, kNone};
+}
+
+Result<Done> check_plane(const Sections& in, std::uint32_t i) {
+  const PlaneSection& p = in.planes[i];
+  if (!is_finite(p.normal) || !std::isfinite(p.offset))
+    return error_in(in, i, ErrorCode::not_finite, "the plane's coefficients are not finite");
+  if (p.normal == Vec3{}) return error_in(in, i, ErrorCode::zero_normal, "the plane's normal is zero");
+  for (const ContourEdge& e : p.edges)
+    if (std::max(e.a, e.b) >= p.vertices.size())
+      return error_in(in, i, ErrorCode::index_out_of_range, "an edge names a vertex that is not there");
+  for (const Vec3& v : p.vertices) {
+    if (!is_finite(v)) return error_in(in, i, ErrorCode::not_finite, "a vertex is not finite");
+    if (std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}) > 1e100)
+      return error_in(in, i, ErrorCode::too_large, "a coordinate is beyond 1e100");
+  }
+  return Done{};
+}
+
+Result<Done> check_input(const Sections& in, const RepairOptions& options) {
+  if (auto good = check_options(options); !good) return good;
+  if (in.planes.empty()) return Error{ErrorCode::no_plane, "there is no cutting plane", in.source};
+  for (std::uint32_t i = 0; i < in.planes.size(); ++i)
+    if (auto good = check_plane(in, i); !good) return good;
+  return Done{};
+}
+
+Bounds box_of(const Sections& in) {
+  Bounds box;
+  for (const PlaneSection& p : in.planes)
+    for (const ContourEdge& e : p.edges) box.add(p.vertices[e.a]), box.add(p.vertices[e.b]);
+  return box;
+}
+
+/// The largest distance of a vertex of one contour from the other, both ways.
+double displacement(const Work& work, const WorkPlane& plane, const PlaneSection& before) {
+  const UnitPlane unit{plane.normal, plane.offset};
+  const SectionBoundary old(before, unit, work.chart(plane)), now(plane.section, unit, work.chart(plane));
+  return largest_distance(old, now);
+}
+
+bool moves_points(RepairKind kind) {
+  return kind == RepairKind::onto_plane || kind == RepairKind::repeated_vertices ||
+         kind == RepairKind::nearly_straight || kind == RepairKind::crossings;
+}
+
+/// Steps before the agreement. Each is followed by what it may have made necessary.
+void repair_planes_and_contours(Work& work) {
+  const RepairOptions& o = work.options;
+  if (o.planes) repair_steps::repair_planes(work);
+  if (o.chains) repair_steps::repair_chains(work);
+  if (o.planes) repair_steps::unite_planes(work);
+  if (o.crossings) repair_steps::repair_crossings(work);
+  if (o.loops) repair_steps::repair_loops(work);
+}
+
+bool agree(Work& work, const Context& context) {
+  std::vector<PlaneSection> before;
+  for (const WorkPlane& p : work.planes) before.push_back(p.section);
+  do {
+    if (!repair_steps::repair_agreement(work, context)) return false;
+  } while (work.options.chains && repair_steps::remove_new_spikes(work));
+  for (std::size_t p = 0; p < before.size(); ++p)
+    if (work.planes[p].edited)
+      work.result.largest_displacement =
+          std::max(work.result.largest_displacement, displacement(work, work.planes[p], before[p]));
+  return true;
+}
+
+void finish(Work& work, const Sections& in) {
+  Repair& r = work.result;
+  r.sections.source = in.source;
+  r.diagonal = work.diagonal;
+  for (WorkPlane& p : work.planes) {
+    if (p.edited) tidy_section(p.section);
+    r.sources.push_back(p.source);
+    r.sections.planes.push_back(std::move(p.section));
+  }
+  for (const RepairChange& c : r.changes) {
+    if (moves_points(c.kind)) r.largest_displacement = std::max(r.largest_displacement, c.distance);
+    r.left += c.kind == RepairKind::left_as_it_is || c.kind == RepairKind::contour_left_out;
+  }
+}
+
+}  // namespace
+
+namespace repair_steps {
+
+std::string count_of(std::size_t n, const char* one, const char* several) {
+  return std::to_string(n) + " " + (n == 1 ? one : several);
+}
+
+bool on_another_plane(const Work& work, const WorkPlane& plane, Vec3 v) {
+  return std::any_of(work.planes.begin(), work.planes.end(), [&](const WorkPlane& other) {
+    return &other != &plane && std::fabs(dot(other.normal, v) + other.offset) <= kOnPlane * work.diagonal;
+  });
+}
+
+}  // namespace repair_steps
+
+const char* name_of(RepairKind kind) { return kNames[static_cast<std::size_t>(kind)]; }
+
+namespace {
+
+Result<Repair> repair_all(const Sections& in, const RepairOptions& options, const Context& context) {
+  if (auto good = check_input(in, options); !good) return good.error();
+  const Bounds box = box_of(in);
+  Work work{options, {}, {}, box.diagonal(), {}};
+  if (!(work.diagonal > 0)) {
+    finish(work, in);
+    work.result.sections = in;
+    for (std::uint32_t p = 0; p < in.planes.size(); ++p) work.result.sources.push_back(p);
+    return std::move(work.result);
+  }
+  work.middle = box.center();
+  for (std::uint32_t p = 0; p < in.planes.size(); ++p) {
+    work.planes.push_back(
+        {in.planes[p], p, {}, 0, false, static_cast<std::uint32_t>(in.planes[p].vertices.size())});
+    repair_steps::settle_plane(work.planes.back());
+  }
+  repair_planes_and_contours(work);
+  for (WorkPlane& p : work.planes) repair_steps::settle_plane(p);
+  if (options.agreement && !agree(work, context)) return Error{ErrorCode::cancelled, "cancelled", in.source};
+  if (options.loops) repair_steps::straighten_runs(work);
+  finish(work, in);
+  return std::move(work.result);
+}
+
+}  // namespace
+
+Result<Repair> repair_sections(const Sections& in, const RepairOptions& options, const Context& context) {
+  return or_out_of_memory([&] { return repair_all(in, options, context); });
+}
+
+}  // namespace crossloft

@@ -1,0 +1,59 @@
+#pragma once
+/// The steps of a repair over shared data; internal to repair/.
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "../arrangement/sections.h"
+#include "../geom/context.h"
+#include "planar_lattice.h"
+#include "repair.h"
+
+namespace crossloft::repair_steps {
+
+/// A plane on its way. Vertices are appended and never taken away before the end, so that numbers of vertices
+/// are those of the file as long as there are that many.
+struct WorkPlane {
+  PlaneSection section;
+  std::uint32_t source = kNone;  ///< position in the file
+  Vec3 normal;                   ///< unit length, first component that is not 0 positive
+  double offset = 0;             ///< half way between the extreme vertices, as framing does it
+  bool edited = false;
+  std::uint32_t given = 0;  ///< vertices in the file; those after them are new
+};
+
+struct Work {
+  const RepairOptions& options;
+  std::vector<WorkPlane> planes;  ///< in the order of the file
+  Vec3 middle;                    ///< of the box around all contours
+  double diagonal = 0;
+  Repair result;
+
+  PlaneChart chart(const WorkPlane& plane) const { return {plane.normal, plane.offset, middle, diagonal}; }
+  void note(RepairChange change) { result.changes.push_back(std::move(change)); }
+};
+
+/// Normal and offset of the plane from its section as it is now.
+void settle_plane(WorkPlane& plane);
+
+// In this order.
+void repair_planes(Work& work);
+void unite_planes(Work& work);
+void repair_chains(Work& work);
+void repair_crossings(Work& work);
+void repair_loops(Work& work);
+/// Returns false if it was cancelled.
+bool repair_agreement(Work& work, const Context& context);
+/// Of sections that were changed. True iff there were some.
+bool remove_new_spikes(Work& work);
+/// Last, since points on the grid bend runs.
+void straighten_runs(Work& work);
+
+/// True iff the vertex of a plane is a crossing with another plane.
+bool on_another_plane(const Work& work, const WorkPlane& plane, Vec3 v);
+
+/// "3 vertices", "1 vertex".
+std::string count_of(std::size_t n, const char* one, const char* several);
+
+}  // namespace crossloft::repair_steps

@@ -1,0 +1,336 @@
+// Every kind of dirt by a small case: what is made of it, and what is told.
+#include "../../repair/repair.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "../arrangement/built_graph.h"
+#include "../arrangement/polygon_sections.h"
+
+using namespace crossloft;
+using namespace crossloft::test;
+
+namespace {
+
+Repair repaired(const Sections& sections, const RepairOptions& options = {}) {
+  auto repair = repair_sections(sections, options);
+  REQUIRE(repair.ok());
+  return std::move(repair).value();
+}
+
+/// The changes of a kind.
+std::vector<RepairChange> changes(const Repair& repair, RepairKind kind) {
+  std::vector<RepairChange> found;
+  for (const RepairChange& c : repair.changes)
+    if (c.kind == kind) found.push_back(c);
+  return found;
+}
+
+/// Framing and contours are good now, and a second repair finds nothing to do.
+void check_clean(const Repair& repair) {
+  const Built built = build(repair.sections);
+  CHECK_MESSAGE(built.graph.ok(), to_string(built.graph.error()));
+  CHECK(repaired(repair.sections).changes.size() == 0);
+}
+
+/// z = 0 and z = 1 with a square each.
+Sections two_squares() {
+  Sections sections{"two.contour", {plane_at({0, 0, 1}, {0, 0, 0}), plane_at({0, 0, 1}, {0, 0, 1})}};
+  add_contour(sections.planes[0], square(0, 0, 0, 1));
+  add_contour(sections.planes[1], square(0, 0, 1, 1));
+  return sections;
+}
+
+/// The contour through the points in z = 0, below a square in z = 1.
+Sections below_square(const std::vector<Vec3>& points) {
+  Sections sections{"", {plane_at({0, 0, 1}, {0, 0, 0}), plane_at({0, 0, 1}, {0, 0, 1})}};
+  add_contour(sections.planes[0], points);
+  add_contour(sections.planes[1], square(0, 0, 1, 1));
+  return sections;
+}
+
+/// Of one loop in z = const whose edges all lead the same way around.
+double area(const PlaneSection& p) {
+  double twice = 0;
+  for (const ContourEdge& e : p.edges) {
+    const Vec3 a = p.vertices[e.a], b = p.vertices[e.b];
+    twice += a.x * b.y - a.y * b.x;
+  }
+  return std::fabs(twice) / 2;
+}
+
+}  // namespace
+
+TEST_CASE("clean sections stay as they are to the bit") {
+  const Sections clean = two_squares();
+  const Repair repair = repaired(clean);
+  CHECK(repair.changes.size() == 0);
+  CHECK(repair.left == 0);
+  CHECK(repair.sections.source == "two.contour");
+  REQUIRE(repair.sections.planes.size() == 2);
+  for (std::size_t p = 0; p < 2; ++p) {
+    CHECK(repair.sections.planes[p].vertices == clean.planes[p].vertices);
+    CHECK(repair.sections.planes[p].edges.size() == clean.planes[p].edges.size());
+    CHECK(repair.sections.planes[p].offset == clean.planes[p].offset);
+    CHECK(repair.sources[p] == p);
+  }
+}
+
+TEST_CASE("sections without contours are left alone") {
+  const Repair repair = repaired({"", {plane_at({0, 0, 1}, {0, 0, 0})}});
+  CHECK(repair.changes.size() == 0);
+  REQUIRE(repair.sections.planes.size() == 1);
+  CHECK(repair.sources.size() == 1);
+}
+
+TEST_CASE("D with the wrong sign on one plane") {
+  Sections dirty = two_squares();
+  dirty.planes[1].offset = 1;
+  const Repair repair = repaired(dirty);
+  const auto told = changes(repair, RepairKind::offset_sign);
+  REQUIRE(told.size() == 1);
+  CHECK(told[0].plane == 1);
+  CHECK(repair.sections.planes[1].offset == -1);
+  CHECK(repair.changes.size() == 1);
+  check_clean(repair);
+}
+
+TEST_CASE("vertices off their plane go onto it") {
+  Sections dirty = two_squares();
+  dirty.planes[1].vertices[2].z += 0.01;
+  const Repair repair = repaired(dirty);
+  const auto told = changes(repair, RepairKind::onto_plane);
+  REQUIRE(told.size() == 1);
+  CHECK(told[0].plane == 1);
+  CHECK(told[0].contour == 0);
+  CHECK(told[0].distance > 0.0024);
+  CHECK(told[0].distance < 0.011);
+  CHECK(repair.largest_displacement == told[0].distance);
+  check_clean(repair);
+}
+
+TEST_CASE("a vertex further off its plane than the limit is left and listed") {
+  Sections dirty = two_squares();
+  dirty.planes[1].vertices[2].z += 1;
+  RepairOptions options;
+  options.limit = 0.01;
+  const Repair repair = repaired(dirty, options);
+  CHECK(changes(repair, RepairKind::left_as_it_is).size() == 1);
+  CHECK(repair.left == 1);
+}
+
+TEST_CASE("a plane with a poor normal is turned to its vertices") {
+  Sections dirty = two_squares();
+  for (Vec3& v : dirty.planes[1].vertices) v.z += 0.02 * v.x;
+  const Repair repair = repaired(dirty);
+  const auto told = changes(repair, RepairKind::plane_fitted);
+  REQUIRE(told.size() == 1);
+  CHECK(told[0].plane == 1);
+  CHECK(told[0].distance == doctest::Approx(0.02).epsilon(0.01));
+  CHECK(repair.sections.planes[1].vertices == dirty.planes[1].vertices);
+  check_clean(repair);
+}
+
+TEST_CASE("nearly equal planes become one, their sections united") {
+  Sections dirty = two_squares();
+  dirty.planes.push_back(plane_at({0, 0, 1}, {0, 0, 1e-7}));
+  add_contour(dirty.planes[2], square(1.5, 0, 1e-7, 1));  // overlaps the square of plane 0
+  const Repair repair = repaired(dirty);
+  const auto told = changes(repair, RepairKind::planes_united);
+  REQUIRE(told.size() == 1);
+  REQUIRE(repair.sections.planes.size() == 2);
+  const std::size_t united = repair.sources[0] == 1 ? 1 : 0;
+  CHECK(repair.sections.planes[united].edges.size() == 8);
+  CHECK(repair.sources.size() == 2);
+  check_clean(repair);
+}
+
+TEST_CASE("the same section given twice is one") {
+  Sections dirty = two_squares();
+  dirty.planes.push_back(dirty.planes[0]);
+  const Repair repair = repaired(dirty);
+  CHECK(changes(repair, RepairKind::planes_united).size() == 1);
+  REQUIRE(repair.sections.planes.size() == 2);
+  for (const PlaneSection& p : repair.sections.planes) CHECK(p.edges.size() == 4);
+  check_clean(repair);
+}
+
+TEST_CASE("a contour that nearly closes is closed") {
+  Sections dirty = below_square({{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}, {-1, -0.99, 0}});
+  dirty.planes[0].edges.pop_back();
+  const Repair repair = repaired(dirty);
+  const auto told = changes(repair, RepairKind::contour_closed);
+  REQUIRE(told.size() == 1);
+  CHECK(told[0].plane == 0);
+  CHECK(told[0].contour == 0);
+  CHECK(told[0].distance == doctest::Approx(0.01));
+  CHECK(repair.sections.planes[0].edges.size() == 5);
+  check_clean(repair);
+}
+
+TEST_CASE("two chains are closed to one contour, the nearest ends first") {
+  Sections dirty = below_square(square(0, 0, 0, 1));
+  // Edges 0-1 and 2-3 stay; their ends come near to each other in two places.
+  dirty.planes[0].vertices = {{-1, -1, 0}, {0, 0.5, 0}, {0.005, 0.51, 0}, {-1, -0.99, 0}, {-0.5, 0.3, 0}};
+  dirty.planes[0].edges = {{0, 1, 1, 0, 0, 0}, {2, 4, 1, 0, 1, 0}, {4, 3, 1, 0, 1, 0}};
+  const Repair repair = repaired(dirty);
+  CHECK(changes(repair, RepairKind::contour_closed).size() == 2);
+  CHECK(repair.sections.planes[0].edges.size() == 5);
+  check_clean(repair);
+}
+
+TEST_CASE("a chain with its ends far apart is left out and listed") {
+  Sections dirty = below_square(square(0, 0, 0, 1));
+  dirty.planes[0].edges.pop_back();
+  add_contour(dirty.planes[0], square(4, 0, 0, 1), 1);
+  const Repair repair = repaired(dirty);
+  const auto told = changes(repair, RepairKind::contour_left_out);
+  REQUIRE(told.size() == 1);
+  CHECK(told[0].plane == 0);
+  CHECK(told[0].contour == 0);
+  CHECK(told[0].count == 3);
+  CHECK(repair.left == 1);
+  CHECK(repair.sections.planes[0].edges.size() == 4);
+  check_clean(repair);
+}
+
+TEST_CASE("repeated vertices") {
+  const Repair repair =
+      repaired(below_square({{-1, -1, 0}, {1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {1, 1 + 1e-10, 0}, {-1, 1, 0}}));
+  const auto told = changes(repair, RepairKind::repeated_vertices);
+  REQUIRE(told.size() == 1);
+  CHECK(told[0].count == 2);
+  CHECK(repair.sections.planes[0].edges.size() == 4);
+  check_clean(repair);
+}
+
+TEST_CASE("spikes, exact and narrow, one upon the other") {
+  const Repair repair = repaired(below_square({{-1, -1, 0},
+                                               {0, -1, 0},
+                                               {0, -3, 0},
+                                               {0, -1, 0},
+                                               {1, -1, 0},
+                                               {1, 0, 0},
+                                               {2, 1e-9, 0},
+                                               {3, 0, 0},
+                                               {1, 1e-8, 0},
+                                               {1, 1, 0},
+                                               {-1, 1, 0}}));
+  const auto told = changes(repair, RepairKind::spikes);
+  REQUIRE(told.size() == 1);
+  CHECK(told[0].plane == 0);
+  for (const Vec3& v : repair.sections.planes[0].vertices) {
+    CHECK(v.x <= 1);
+    CHECK(v.y >= -1);
+  }
+  check_clean(repair);
+}
+
+TEST_CASE("a contour that crosses itself is read by even-odd") {
+  const Repair repair = repaired(below_square({{-1, -1, 0}, {1, 1, 0}, {1, -1, 0}, {-1, 1, 0}}));
+  const auto told = changes(repair, RepairKind::crossings);
+  REQUIRE(told.size() == 1);
+  CHECK(told[0].plane == 0);
+  CHECK(told[0].contour == 0);
+  CHECK(repair.sections.planes[0].edges.size() == 6);  // two triangles
+  check_clean(repair);
+}
+
+TEST_CASE("contours that overlap are read by even-odd") {
+  Sections dirty = below_square(square(0, 0, 0, 1));
+  add_contour(dirty.planes[0], square(1, 1, 0, 1), 1);
+  const Repair repair = repaired(dirty);
+  CHECK(changes(repair, RepairKind::crossings).size() == 2);
+  CHECK(repair.sections.planes[0].edges.size() == 12);
+  check_clean(repair);
+}
+
+TEST_CASE("contours that share an edge become one") {
+  Sections dirty = below_square(square(0, 0, 0, 1));
+  add_contour(dirty.planes[0], square(2, 0, 0, 1), 1);
+  const Repair repair = repaired(dirty);
+  CHECK(repair.sections.planes[0].edges.size() == 6);
+  CHECK(area(repair.sections.planes[0]) == doctest::Approx(8));
+  check_clean(repair);
+}
+
+TEST_CASE("tiny loops go and are listed") {
+  Sections dirty = two_squares();
+  add_contour(dirty.planes[0], square(5, 0, 0, 1e-7), 1);
+  const Repair repair = repaired(dirty);
+  const auto told = changes(repair, RepairKind::tiny_loop);
+  REQUIRE(told.size() == 1);
+  CHECK(told[0].plane == 0);
+  CHECK(told[0].contour == 1);
+  CHECK(repair.sections.planes[0].edges.size() == 4);
+  check_clean(repair);
+}
+
+TEST_CASE("a vertex that bends a straight run by a hair goes, an exact one stays") {
+  const Repair repair =
+      repaired(below_square({{-1, -1, 0}, {0, -1, 0}, {1, -1, 0}, {1 + 1e-10, 0, 0}, {1, 1, 0}, {-1, 1, 0}}));
+  const auto told = changes(repair, RepairKind::nearly_straight);
+  REQUIRE(told.size() == 1);
+  CHECK(told[0].count == 1);
+  CHECK(told[0].vertex == 3);
+  CHECK(repair.sections.planes[0].edges.size() == 5);
+}
+
+TEST_CASE("materials stay with their walls, borders where they still end at walls") {
+  Sections dirty = two_squares();
+  PlaneSection& p = dirty.planes[0];
+  // The square is halved by a border between materials 1 and 2; a second contour crosses its left half.
+  p.vertices = {{-1, -1, 0}, {0, -1, 0}, {1, -1, 0}, {1, 1, 0}, {0, 1, 0}, {-1, 1, 0}};
+  p.edges = {{0, 1, 1, 0, 0, 0}, {1, 2, 2, 0, 0, 0}, {2, 3, 2, 0, 0, 0}, {3, 4, 2, 0, 0, 0},
+             {4, 5, 1, 0, 0, 0}, {5, 0, 1, 0, 0, 0}, {1, 4, 1, 2, 0, 0}};
+  add_contour(p, square(-1, 0, 0, 0.5), 1);
+  const Repair repair = repaired(dirty);
+  int borders = 0, second = 0;
+  for (const ContourEdge& e : repair.sections.planes[0].edges) {
+    borders += e.material_a == 1 && e.material_b == 2;
+    second += e.material_a == 2 && e.material_b == 0;
+  }
+  CHECK(borders == 1);
+  CHECK(second == 3);
+  CHECK(changes(repair, RepairKind::borders_left_out).size() == 0);
+}
+
+TEST_CASE("each step can be switched off") {
+  Sections dirty = two_squares();
+  dirty.planes[1].vertices[2].z += 0.01;
+  dirty.planes[0].edges.pop_back();
+  add_contour(dirty.planes[0], square(5, 0, 0, 1e-7), 1);
+  RepairOptions none;
+  none.planes = none.chains = none.crossings = none.loops = none.agreement = false;
+  CHECK(repaired(dirty, none).changes.size() == 0);
+  none.loops = true;
+  CHECK(repaired(dirty, none).changes.size() == 1);
+}
+
+TEST_CASE("what no repair can read is an error") {
+  Sections bad = two_squares();
+  bad.planes[0].vertices[0].x = std::numeric_limits<double>::quiet_NaN();
+  CHECK(repair_sections(bad).error().code == ErrorCode::not_finite);
+  bad = two_squares();
+  bad.planes[1].edges[0].a = 99;
+  CHECK(repair_sections(bad).error().code == ErrorCode::index_out_of_range);
+  bad = two_squares();
+  bad.planes[1].normal = {};
+  CHECK(repair_sections(bad).error().code == ErrorCode::zero_normal);
+  CHECK(repair_sections(Sections{}).error().code == ErrorCode::no_plane);
+  RepairOptions options;
+  options.limit = -1;
+  CHECK(repair_sections(two_squares(), options).error().code == ErrorCode::usage);
+}
+
+TEST_CASE("names of kinds are all different") {
+  std::vector<std::string> names;
+  for (int k = 0; k <= static_cast<int>(RepairKind::left_as_it_is); ++k)
+    names.push_back(name_of(static_cast<RepairKind>(k)));
+  std::sort(names.begin(), names.end());
+  CHECK(std::unique(names.begin(), names.end()) == names.end());
+}
