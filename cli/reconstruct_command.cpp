@@ -127,6 +127,26 @@ void add_natural_options(CLI::App& command, NaturalOptions& natural) {
       ->check(CLI::Range(0.0, kLargestSmoothWeight));
 }
 
+/// What is done so that the solid has all of its sections and touches itself nowhere.
+void add_embedding(CLI::App& command, Options& options) {
+  command
+      .add_option(
+          "--thicken", options.thicken,
+          "give section regions that nothing faces a plate of solid no thicker than this; a fraction of "
+          "the diagonal, 0: they are left out")
+      ->capture_default_str()
+      ->check(CLI::Range(0.0, 1.0));
+  command
+      .add_option(
+          "--separate", options.separation,
+          "where the surface touches itself, move its vertices apart by up to this, even if sections move "
+          "with them; a fraction of the diagonal, 0: only where no section changes")
+      ->capture_default_str()
+      ->check(CLI::Range(0.0, 1.0));
+  command.add_flag("!--keep-touching", options.separate,
+                   "leave vertices that the surface has twice where it touches itself in one place");
+}
+
 void add_view(CLI::App& command, PictureOptions& view) {
   command
       .add_option_function<std::vector<int>>(
@@ -164,7 +184,7 @@ void add_view(CLI::App& command, PictureOptions& view) {
       ->type_name("X Y Z LENGTH");
 }
 
-/// What is taken for the same, left out, moved or repaired.
+/// What is taken for the same, left out or repaired.
 void add_tolerances(CLI::App& command, Arguments& a) {
   command
       .add_option(
@@ -174,33 +194,17 @@ void add_tolerances(CLI::App& command, Arguments& a) {
       ->check(CLI::Range(0.0, 1.0));
   command
       .add_option("--plane-tolerance", a.options.plane_tolerance,
-                   "a vertex further from its plane is an error; a fraction of the diagonal")
+                  "a vertex further from its plane is an error; a fraction of the diagonal")
       ->capture_default_str()
       ->check(CLI::Range(0.0, 0.1));
   command
       .add_option("--simplify", a.options.simplify,
-                   "leave out contour vertices that a straight edge replaces this closely; a fraction of the "
-                   "diagonal, 0: none; the solid then meets the sections of --dump-sections")
-      ->capture_default_str()
-      ->check(CLI::Range(0.0, 1.0));
-  command
-      .add_option(
-          "--thicken", a.options.thicken,
-          "give section regions that nothing faces a plate of solid no thicker than this; a fraction of "
-          "the diagonal, 0: they are left out")
-      ->capture_default_str()
-      ->check(CLI::Range(0.0, 1.0));
-  command
-      .add_option(
-          "--separate", a.options.separation,
-          "where the surface touches itself, move its vertices apart by up to this, even if sections move "
-          "with them; a fraction of the diagonal, 0: only where no section changes")
+                  "leave out contour vertices that a straight edge replaces this closely; a fraction of the "
+                  "diagonal, 0: none; the solid then meets the sections of --dump-sections")
       ->capture_default_str()
       ->check(CLI::Range(0.0, 1.0));
   command.add_flag("--repair", a.repair, "repair the sections first, as crossloft repair does");
   add_repair_limit(command, "--repair-limit", a.repair_options);
-  command.add_flag("!--keep-touching", a.options.separate,
-                    "leave vertices that the surface has twice where it touches itself in one place");
 }
 
 }  // namespace
@@ -228,6 +232,7 @@ void add_reconstruct(CLI::App& program, ExitCode& outcome) {
       ->check(CLI::IsMember({"off", "auto", "all"}));
   command->add_flag("--cutting", a.options.branching.cutting, "also samples of the cutting diagram");
   add_tolerances(*command, a);
+  add_embedding(*command, a.options);
   command->add_option("--report", a.report, "also a report (docs/report.md)")->check(extension_in({".json"}));
   command->add_option("--picture", a.picture, "also a picture of sections and surface")
       ->check(extension_in({".png"}));
