@@ -227,12 +227,13 @@ void merge_collinear_runs(SectionGraph& graph) {
 
 void drop_bare_vertices(SectionGraph& graph) { renumber(graph, std::vector<bool>(graph.size(), false)); }
 
-void unify(SectionGraph& graph, const Arrangement& arrangement, const Context& context) {
+bool unify(SectionGraph& graph, const Arrangement& arrangement, const Context& context) {
   drop_bare_vertices(graph);
-  parallel_for(graph.planes.size(), context, "sections",
-               [&](std::size_t p) { cut_touching(graph, static_cast<std::uint32_t>(p)); });
+  const auto cut = [&](std::size_t p) { cut_touching(graph, static_cast<std::uint32_t>(p)); };
+  if (!parallel_for(graph.planes.size(), context, "sections", cut)) return false;
   cut_along_edges(graph, arrangement);
   drop_bare_vertices(graph);
+  return true;
 }
 
 bool add_arrangement_vertices(SectionGraph& graph, const Arrangement& arrangement) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cassert>
 
 #include "../geom/parallel.h"
 #include "section_steps.h"
@@ -69,6 +70,7 @@ void SectionGraph::move(std::uint32_t v, const LatticePoint& point) {
 }
 
 void SectionGraph::set_sign(std::uint32_t v, std::uint32_t p, int side) {
+  assert(row_of.empty());
   const std::uint64_t bit = std::uint64_t{1} << (p % 64);
   std::uint64_t &pos = positive[std::size_t{v} * words + p / 64], &on = zero[std::size_t{v} * words + p / 64];
   pos = side > 0 ? pos | bit : pos & ~bit;
@@ -161,12 +163,12 @@ Result<SectionGraph> build_section_graph(const FramedSections& framed, const Arr
   steps::match_crossings(graph, arrangement, store, tolerances.match);
   if (context.cancelled()) return make_error(ErrorCode::cancelled, "cancelled");
   steps::merge_collinear_runs(graph);
-  steps::unify(graph, arrangement, context);
+  if (!steps::unify(graph, arrangement, context)) return make_error(ErrorCode::cancelled, "cancelled");
   if (auto oriented = orient_walls(graph, context); !oriented) return oriented.error();
   if (tolerances.simplify > 0) steps::simplify_contours(graph, tolerances.simplify);
   if (context.cancelled()) return make_error(ErrorCode::cancelled, "cancelled");
   const bool more = steps::add_arrangement_vertices(graph, arrangement);
-  if (more || tolerances.simplify > 0)  // simplified contours have new walls
+  if (more || tolerances.simplify > 0)  // both bring new walls
     if (auto oriented = orient_walls(graph, context); !oriented) return oriented.error();
   if (auto located = locate_all(graph, arrangement); !located) return located.error();
   graph.share_rows();

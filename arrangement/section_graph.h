@@ -65,16 +65,17 @@ struct SectionGraph {
   int sign(std::uint32_t v, std::uint32_t p) const;
   /// How many planes both vertices are on.
   std::uint32_t common_planes(std::uint32_t u, std::uint32_t v) const;
-  /// Adds a vertex and its exact signs; equal points are not merged here. Returns its number.
+  /// Adds a vertex and its exact signs; equal points are not merged here. Returns its number. REQUIRES: rows
+  /// are not shared.
   std::uint32_t add(const LatticePoint& point);
   /// Adds vertices on plane p. `across`: the planes that meet it in a line; the others are parallel to it and
-  /// see all of it from one side, so that they are asked once.
-  void add_on_plane(std::uint32_t p, std::span<const LatticePoint> points,
+  /// see all of it from one side, so that they are asked once. REQUIRES: rows are not shared.
+  void add_on_plane(std::uint32_t p, std::span<const LatticePoint> list,
                     std::span<const std::uint32_t> across);
   /// Equal rows become one, as vertices in one face have: with k planes rows of k bits are most of the graph.
-  /// It can't grow any more. REQUIRES: locations are known.
+  /// No vertex can be added or moved any more. REQUIRES: locations are known.
   void share_rows();
-  /// Moves a vertex and renews its signs.
+  /// Moves a vertex and renews its signs. REQUIRES: rows are not shared.
   void move(std::uint32_t v, const LatticePoint& point);
   /// An even-odd tester over the current walls of plane p; `ends` receives them and must outlive the tester.
   SectionLocator locator(std::uint32_t p, std::vector<WallEnds>& ends) const;
@@ -104,8 +105,8 @@ Result<SectionGraph> build_section_graph(const FramedSections& framed, const Arr
                                          LatticePointStore& store, const CrossingTolerances& tolerances,
                                          const Context& context);
 
-/// Empty if the graph keeps its invariants: exact signs, walls in one element each, even degrees, no
-/// conflicts.
+/// Empty if the graph keeps its invariants: exact signs, walls in one element each, the one it tells, even
+/// degrees, no conflicts, inner sides as even-odd has them.
 std::string verify(const SectionGraph& graph, const Arrangement& arrangement);
 
 }  // namespace crossloft

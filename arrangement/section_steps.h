@@ -16,7 +16,9 @@ double snapping_tolerance(const LatticePlane& plane);
 void cancel_pairs(std::vector<Wall>& walls);
 
 /// Contours of one plane that touch: a wall within `tolerance`, or the snapping tolerance, of another vertex
-/// is led through that vertex, so that the touch survives all later rounding. False if cancelled. REQUIRES:
+/// is led through that vertex, so that the touch survives all later rounding. Beyond the snapping tolerance
+/// only as far as a quarter of the shortest edge there, and in no wall of the plane if contours would cross
+/// by it. False if cancelled. REQUIRES:
 /// nothing cut or moved yet.
 bool join_touching(SectionGraph& graph, double tolerance, const Context& context);
 
@@ -41,8 +43,8 @@ void match_crossings(SectionGraph& graph, const Arrangement& arrangement, Lattic
 void merge_collinear_runs(SectionGraph& graph);
 
 /// Equal points become one vertex, walls that touch are cut there, doubled walls cancel, unused vertices go,
-/// and everything is put into lexicographic order.
-void unify(SectionGraph& graph, const Arrangement& arrangement, const Context& context);
+/// and everything is put into lexicographic order. False if cancelled.
+bool unify(SectionGraph& graph, const Arrangement& arrangement, const Context& context);
 
 /// Drops contour vertices in the interior of faces as long as all that were dropped stay within `tolerance`
 /// of the wall in their place, contours neither cross nor vanish, and sections stay the same on the lines of
@@ -59,8 +61,8 @@ bool add_arrangement_vertices(SectionGraph& graph, const Arrangement& arrangemen
 /// True iff the ends of the wall are on different sides of a plane.
 bool crosses_a_plane(const SectionGraph& graph, const Wall& wall);
 
-/// The face or edge of the arrangement that holds the open wall; not found if the wall crosses a plane. Its
-/// own bits and a hash: once for each wall of the finished graph, which keeps it.
+/// The face or edge of the arrangement that holds the open wall; not found if the wall crosses a plane. The
+/// finished graph keeps it by wall.
 Location wall_location(const SectionGraph& graph, const Arrangement& arrangement, const Wall& wall);
 
 }  // namespace crossloft::section_steps

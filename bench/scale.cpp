@@ -147,8 +147,10 @@ int main(int count, char** words) {
     stacks.push_back([v] { return twisted_tube(std::clamp<std::uint32_t>(v / 2000, 20, 500), v); });
   for (const std::uint32_t k : {5U, 10U, 20U, 50U, 100U})
     if (k <= most_planes) knots.push_back([k] { return knot(k); });
-  std::vector<ScaleSeries> all{run("a stack of slices", "vertices", stacks)};
-  if (!knots.empty()) all.push_back(run("a knot by random planes", "planes", knots));
+  std::vector<ScaleSeries> all{run("a stack of slices", "vertices", stacks),
+                               run("a knot by random planes", "planes", knots)};
+  std::erase_if(all, [](const ScaleSeries& s) { return s.points.empty(); });
+  if (all.empty()) return 1;
   const std::string table = to_markdown(all);
   std::fputs(table.c_str(), stdout);
   return write_file(markdown, table) && write_file(svg, to_svg(all)) ? 0 : 1;

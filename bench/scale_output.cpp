@@ -56,7 +56,8 @@ class Panel {
  private:
   std::vector<double> all(bool across) const {
     std::vector<double> values;
-    for (const ScalePoint& p : series_.points) values.push_back(across ? grown(series_, p) : value_(p));
+    for (const ScalePoint& p : series_.points)
+      values.push_back(std::max(across ? grown(series_, p) : value_(p), 1e-6));
     return values;
   }
   double px(double v) const { return left_ + kWidth * x_.at(v); }

@@ -21,9 +21,9 @@ extern "C" void raise_interrupted(int) { interrupted.store(true, std::memory_ord
 constexpr int kBarWidth = 30;
 
 /// "about 12 s left", nothing while it is too early to tell.
-std::string time_left(double elapsed, double done) {
-  if (elapsed < 2 || done < 0.02 || done >= 1) return {};
-  const double left = elapsed * (1 - done) / done;
+std::string time_left(double elapsed, double done_since, double rest) {
+  if (elapsed < 2 || done_since < 0.02 || rest <= 0) return {};
+  const double left = elapsed * rest / done_since;
   const bool minutes = left >= 90;
   return ", about " + std::to_string(static_cast<long>(minutes ? left / 60 + 0.5 : left + 1)) +
          (minutes ? " min left" : " s left");
@@ -37,7 +37,8 @@ void catch_interrupts() {
   action.sa_flags = static_cast<int>(SA_RESETHAND);  // the second one kills
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
-  std::signal(SIGXFSZ, SIG_IGN);  // a file beyond the limit is a failed write, with a message, as on a full disk
+  std::signal(SIGXFSZ,
+              SIG_IGN);  // a file beyond the limit is a failed write, with a message, as on a full disk
 }
 
 void release_interrupts() {
@@ -92,7 +93,8 @@ ExitCode Terminal::fail(const Error& error) {
 void Terminal::show_progress(std::string_view stage, double fraction) {
   const double done = std::clamp(fraction, 0.0, 1.0);
   const auto now = std::chrono::steady_clock::now();
-  if (stage != stage_ || done < stage_done_) stage_ = stage, stage_start_ = now;  // some stages come again
+  if (stage != stage_ || done < stage_done_)
+    stage_ = stage, stage_start_ = now, stage_first_ = done;  // some stages come again
   stage_done_ = done;
   std::string bar(kBarWidth, '.');
   std::fill_n(bar.begin(), static_cast<int>(done * kBarWidth), '#');
@@ -100,7 +102,7 @@ void Terminal::show_progress(std::string_view stage, double fraction) {
   std::string line =
       "[" + bar + "] " + std::string(4 - std::min<std::size_t>(4, percent.size()), ' ') + percent + " % ";
   line += stage;
-  line += time_left(std::chrono::duration<double>(now - stage_start_).count(), done);
+  line += time_left(std::chrono::duration<double>(now - stage_start_).count(), done - stage_first_, 1 - done);
   if (line == shown_) return;
   std::fprintf(stderr, "\r%s\033[K", line.c_str());
   shown_ = std::move(line);

@@ -12,8 +12,8 @@
 
 namespace crossloft::cli {
 
-/// Makes Ctrl-C and SIGTERM raise the cancel flag of every context made afterwards; a second one kills. A file that
-/// grows beyond the limit of the process is a failed write from then on.
+/// Makes Ctrl-C and SIGTERM raise the cancel flag of every context made afterwards; a second one kills. A
+/// file that grows beyond the limit of the process is a failed write from then on.
 void catch_interrupts();
 
 /// The default again: for work that does not look at the flag, and whose files appear whole or not at all.
@@ -48,8 +48,8 @@ class Terminal {
   bool quiet_, bar_;
   std::string stage_;  ///< that the progress line shows
   std::chrono::steady_clock::time_point stage_start_;
-  double stage_done_ = 0;
-  std::string shown_;  ///< the progress line on the screen, empty if there is none
+  double stage_first_ = 0, stage_done_ = 0;  ///< its fractions, first and last told
+  std::string shown_;                        ///< the progress line on the screen, empty if there is none
   std::set<std::string, std::less<>> said_;
 };
 

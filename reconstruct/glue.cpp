@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "../delaunay/tet_mesh.h"
-#include "../geom/parallel.h"
 #include "../geom/disjoint_sets.h"
+#include "../geom/parallel.h"
 #include "../prune/star.h"
 
 namespace crossloft {

@@ -39,8 +39,8 @@ struct GluedSurface {
 };
 
 /// Glues. Tetrahedra are given by input vertices a, b, c, d with det(b-a, c-a, d-a) > 0 and match by vertex
-/// triples; those without a partner are the boundary. The result depends on the set of tetrahedra only, not
-/// on their order nor on which even permutation of its vertices each is given by. Errors: internal, if three
+/// triples; those without a partner are the boundary. Without overlaps the result depends on the set of tetrahedra
+/// only, not on their order nor on which even permutation of its vertices each is given by. Errors: internal, if three
 /// facets that are near in the list or not yet matched share a triple, or two have the same side (overlapping
 /// tetrahedra); too_large from 2^29 tetrahedra on. O(n log n + largest vertex), arrays only; fast where
 /// neighbours are near each other in the list.

@@ -7,8 +7,8 @@
 #include <tuple>
 #include <utility>
 
-#include "../prune/confidence.h"
 #include "../geom/disjoint_sets.h"
+#include "../prune/confidence.h"
 #include "pipeline.h"
 
 namespace crossloft {
