@@ -88,7 +88,7 @@ class Agreement {
   std::vector<UnitPlane> planes_;
   std::vector<SectionBoundary> sections_, originals_;  ///< as they are, as they were
   std::vector<CommonLine> lines_;
-  std::vector<CommonPoint> points_;
+  std::vector<SharedPoint> points_;
   LineSetting setting_;
   // Of this round.
   std::vector<std::vector<Trace>> traces_;  ///< by line, by plane of the line
@@ -115,7 +115,7 @@ void Agreement::order_planes() {
 
 std::vector<ContestedPoint> Agreement::contested_points() const {
   std::vector<ContestedPoint> contested;
-  for (const CommonPoint& point : points_) {
+  for (const SharedPoint& point : points_) {
     bool in = false, out = false;
     double sum = 0;
     for (const std::uint32_t p : point.planes) {

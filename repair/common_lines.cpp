@@ -48,23 +48,23 @@ std::vector<CommonLine> common_lines(std::span<const UnitPlane> planes, const Da
   return lines;
 }
 
-std::vector<CommonPoint> common_points(std::span<const UnitPlane> planes, std::span<const CommonLine> lines,
+std::vector<SharedPoint> common_points(std::span<const UnitPlane> planes, std::span<const CommonLine> lines,
                                        double tolerance) {
-  std::map<std::vector<std::uint32_t>, CommonPoint> points;
+  std::map<std::vector<std::uint32_t>, SharedPoint> points;
   for (std::uint32_t l = 0; l < lines.size(); ++l)
     for (std::uint32_t k = 0; k < planes.size(); ++k) {
       const double slope = dot(planes[k].normal, lines[l].direction);
       if (std::fabs(slope) < kLeastSine) continue;
       const double t = -planes[k].height(lines[l].point) / slope;
       if (!(std::fabs(t) <= lines[l].reach)) continue;
-      CommonPoint found{lines[l].at(t), {}, {}};
+      SharedPoint found{lines[l].at(t), {}, {}};
       for (std::uint32_t p = 0; p < planes.size(); ++p)
         if (p == k || std::fabs(planes[p].height(found.point)) <= tolerance) found.planes.push_back(p);
       if (found.planes.size() <= lines[l].planes.size()) continue;  // it is a plane of the line
-      CommonPoint& point = points.try_emplace(found.planes, found).first->second;
+      SharedPoint& point = points.try_emplace(found.planes, found).first->second;
       if (point.lines.empty() || point.lines.back() != l) point.lines.push_back(l);
     }
-  std::vector<CommonPoint> result;
+  std::vector<SharedPoint> result;
   for (auto& [key, point] : points) result.push_back(std::move(point));
   return result;
 }

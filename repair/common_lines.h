@@ -38,7 +38,7 @@ std::vector<CommonLine> common_lines(std::span<const UnitPlane> planes, const Da
                                      double tolerance);
 
 /// A point of three or more planes.
-struct CommonPoint {
+struct SharedPoint {
   Vec3 point;
   std::vector<std::uint32_t> planes;  ///< all that contain it, ascending
   std::vector<std::uint32_t> lines;   ///< common lines through it, ascending
@@ -46,7 +46,7 @@ struct CommonPoint {
 
 /// The points of lines with planes that do not contain them, within the ball. O(l k) for l lines, O(k) more
 /// for each point.
-std::vector<CommonPoint> common_points(std::span<const UnitPlane> planes, std::span<const CommonLine> lines,
+std::vector<SharedPoint> common_points(std::span<const UnitPlane> planes, std::span<const CommonLine> lines,
                                        double tolerance);
 
 }  // namespace crossloft

@@ -27,7 +27,7 @@ struct LineTarget {
 
 /// A common point that some of its sections hold and others do not; `blend` is the mean of their distances.
 struct ContestedPoint {
-  CommonPoint point;
+  SharedPoint point;
   double blend = 0;
 };
 

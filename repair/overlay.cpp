@@ -24,9 +24,9 @@ void toggle(std::vector<std::uint32_t>& layers, std::uint32_t layer) {
     layers.insert(at, layer);
 }
 
-std::vector<Link> links_of(std::span<const LayerSegment> segments) {
+std::vector<Link> links_of(std::span<const OverlaySegment> segments) {
   std::vector<PlanarSegment> plain;
-  for (const LayerSegment& s : segments) plain.push_back({s.a, s.b});
+  for (const OverlaySegment& s : segments) plain.push_back({s.a, s.b});
   std::vector<SegmentPiece> pieces = snap_round(plain);
   std::stable_sort(pieces.begin(), pieces.end(), [](const SegmentPiece& p, const SegmentPiece& q) {
     return std::pair(std::minmax(p.a, p.b), p.segment) < std::pair(std::minmax(q.a, q.b), q.segment);
@@ -111,7 +111,8 @@ std::vector<Box> boxes_of(const std::vector<Link>& links, std::size_t layers) {
 
 }  // namespace
 
-std::vector<OverlayEdge> overlay(std::span<const LayerSegment> segments, std::span<const LayerKind> layers) {
+std::vector<OverlayEdge> overlay(std::span<const OverlaySegment> segments,
+                                 std::span<const LayerKind> layers) {
   std::vector<Link> links = links_of(segments);
   const std::vector<Box> boxes = boxes_of(links, layers.size());
   Sides sides(links, layers);
@@ -123,7 +124,7 @@ std::vector<OverlayEdge> overlay(std::span<const LayerSegment> segments, std::sp
       edges.push_back(l.forward ? OverlayEdge{l.a, l.b, l.segment} : OverlayEdge{l.b, l.a, l.segment});
   }
   const auto along = [&](const OverlayEdge& e) {
-    const LayerSegment& s = segments[e.segment];
+    const OverlaySegment& s = segments[e.segment];
     return (s.b.x - s.a.x) * (e.a.x - s.a.x) + (s.b.y - s.a.y) * (e.a.y - s.a.y);
   };
   std::sort(edges.begin(), edges.end(), [&](const OverlayEdge& d, const OverlayEdge& e) {

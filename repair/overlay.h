@@ -16,7 +16,7 @@ enum class LayerKind : std::uint8_t {
   removed,  ///< becomes outside whatever the others say
 };
 
-struct LayerSegment {
+struct OverlaySegment {
   PlanarPoint a, b;
   std::uint32_t layer = 0;
 };
@@ -32,6 +32,6 @@ struct OverlayEdge {
 /// segments and along them; they meet at ends alone, and every point has an even number of them.
 /// O(n log n) for n segments where a single layer or nothing but sections far from the patches is concerned,
 /// O(n) more for each piece in the box of a patch.
-std::vector<OverlayEdge> overlay(std::span<const LayerSegment> segments, std::span<const LayerKind> layers);
+std::vector<OverlayEdge> overlay(std::span<const OverlaySegment> segments, std::span<const LayerKind> layers);
 
 }  // namespace crossloft

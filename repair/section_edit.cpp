@@ -53,7 +53,7 @@ class Places {
 
 /// What goes into the overlay, and the edges it came from (null for patches).
 struct Layers {
-  std::vector<LayerSegment> segments;
+  std::vector<OverlaySegment> segments;
   std::vector<const ContourEdge*> origin;
   std::vector<LayerKind> kinds;
 };
@@ -171,7 +171,7 @@ std::vector<ContourEdge> rebuilt_edges(const Layers& layers, const std::vector<O
     if (!origin) edge.material_a = alike ? first : material_at(section, places.position(e.a));
     if (!whole[e.segment]) {
       const bool own = origin && layers.segments[e.segment].layer == 0;
-      const LayerSegment& s = layers.segments[e.segment];
+      const OverlaySegment& s = layers.segments[e.segment];
       edge.a = places.vertex(e.a, own && e.a == s.a ? origin->a : kNone);
       edge.b = places.vertex(e.b, own && e.b == s.b ? origin->b : kNone);
     }

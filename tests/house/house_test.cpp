@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <numeric>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -85,6 +86,33 @@ std::size_t line_count(const std::string& text) {
   return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
 }
 
+/// The name of the type that a line at namespace scope defines, empty if it does not.
+std::string defined_type(const std::string& line) {
+  if (line.find(';') != std::string::npos && line.find('{') == std::string::npos) return {};
+  for (const std::string key : {"struct ", "class ", "enum class "}) {
+    if (line.rfind(key, 0) != 0) continue;
+    const std::size_t end = line.find_first_of(" <:{", key.size());
+    // A specialisation, or a class within another.
+    const bool special = end != std::string::npos && (line[end] == '<' || line.compare(end, 2, "::") == 0);
+    return special ? std::string() : line.substr(key.size(), end - key.size());
+  }
+  return {};
+}
+
+/// Types by full name that others can see, of one source. Namespaces open and close at the start of a line.
+std::vector<std::string> types_of(const std::string& text) {
+  std::vector<std::string> spaces, types;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.rfind("namespace ", 0) == 0) spaces.push_back(line.substr(10));
+    if (line.rfind("}  // namespace", 0) == 0 && !spaces.empty()) spaces.pop_back();
+    const bool hidden = std::find(spaces.begin(), spaces.end(), "{") != spaces.end();
+    if (const std::string name = defined_type(line); !name.empty() && !hidden)
+      types.push_back(std::accumulate(spaces.begin(), spaces.end(), std::string()) + " " + name);
+  }
+  return types;
+}
+
 }  // namespace
 
 TEST_CASE("folders include one way only, and io is used by the edge alone") {
@@ -140,6 +168,19 @@ TEST_CASE("the library neither throws nor asks for types at run time") {
       CHECK_FALSE(house::contains_word(code, word));
     }
   }
+}
+
+TEST_CASE(
+    "no two files define types of one name: the linker would take the functions of one for the other's") {
+  std::map<std::string, fs::path> file_of;
+  for (const Source& source : sources_of_rooms())
+    for (const std::string& type : types_of(source.text)) {
+      CAPTURE(type);
+      const auto [place, is_new] = file_of.emplace(type, source.path);
+      CHECK_MESSAGE((is_new || place->second == source.path), source.path.string()
+                                                                  << " and " << place->second.string());
+    }
+  CHECK(file_of.size() > 200);
 }
 
 TEST_CASE("rooms stay small: headers under 300 lines, files under 800") {

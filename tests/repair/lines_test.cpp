@@ -46,12 +46,12 @@ TEST_CASE("common points are found once, with all planes and lines through them"
   const auto lines = common_lines(planes, {{0, 0, 0}, 1}, 1e-9);
   const auto points = common_points(planes, lines, 1e-9);
   const auto origin =
-      std::find_if(points.begin(), points.end(), [](const CommonPoint& p) { return norm(p.point) < 1e-12; });
+      std::find_if(points.begin(), points.end(), [](const SharedPoint& p) { return norm(p.point) < 1e-12; });
   REQUIRE(origin != points.end());
   CHECK(origin->planes == std::vector<std::uint32_t>{0, 1, 2, 3});
   CHECK(origin->lines.size() == 6);
   CHECK(std::count_if(points.begin(), points.end(),
-                      [](const CommonPoint& p) { return norm(p.point) < 1e-12; }) == 1);
+                      [](const SharedPoint& p) { return norm(p.point) < 1e-12; }) == 1);
 }
 
 TEST_CASE("a trace is inside where the section is") {

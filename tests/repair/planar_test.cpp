@@ -27,9 +27,9 @@ PlanarPoint random_point(Random& random, std::int64_t size) {
 }
 
 /// Even-odd by a ray to the right. REQUIRES: the point is not on a wall.
-bool inside(const std::vector<LayerSegment>& walls, std::uint32_t layer, double x, double y) {
+bool inside(const std::vector<OverlaySegment>& walls, std::uint32_t layer, double x, double y) {
   bool in = false;
-  for (const LayerSegment& w : walls) {
+  for (const OverlaySegment& w : walls) {
     if (w.layer != layer) continue;
     const auto ax = static_cast<double>(w.a.x), ay = static_cast<double>(w.a.y),
                bx = static_cast<double>(w.b.x), by = static_cast<double>(w.b.y);
@@ -39,10 +39,10 @@ bool inside(const std::vector<LayerSegment>& walls, std::uint32_t layer, double 
   return in;
 }
 
-std::vector<LayerSegment> random_loop(Random& random, std::uint32_t layer, int corners, std::int64_t size) {
+std::vector<OverlaySegment> random_loop(Random& random, std::uint32_t layer, int corners, std::int64_t size) {
   std::vector<PlanarPoint> points;
   for (int c = 0; c < corners; ++c) points.push_back(random_point(random, size));
-  std::vector<LayerSegment> loop;
+  std::vector<OverlaySegment> loop;
   for (std::size_t c = 0; c < points.size(); ++c)
     loop.push_back({points[c], points[(c + 1) % points.size()], layer});
   return loop;
@@ -125,13 +125,13 @@ TEST_CASE("an overlay is inside where its layers say so") {
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
     CAPTURE(seed);
     Random random(seed);
-    std::vector<LayerSegment> segments;
+    std::vector<OverlaySegment> segments;
     const std::vector<LayerKind> kinds{LayerKind::section, LayerKind::added, LayerKind::removed,
                                        LayerKind::section};
     for (std::uint32_t layer = 0; layer < kinds.size(); ++layer)
-      for (const LayerSegment& s : random_loop(random, layer, 5, 1000000)) segments.push_back(s);
+      for (const OverlaySegment& s : random_loop(random, layer, 5, 1000000)) segments.push_back(s);
     const std::vector<OverlayEdge> edges = overlay(segments, kinds);
-    std::vector<LayerSegment> walls;
+    std::vector<OverlaySegment> walls;
     std::map<PlanarPoint, int> degree;
     for (const OverlayEdge& e : edges) {
       walls.push_back({e.a, e.b, 0});
