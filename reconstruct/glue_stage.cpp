@@ -41,6 +41,7 @@ Result<Done> Pipeline::glue_cells() {
   Report& report = result_.report;
   report.volume = enclosed_volume(result_.surface);
   mend(*glued);
+  if (context_.cancelled()) return cancelled();
   report.pinched_vertices = glued->pinched_vertices;
   report.pinched_edges = glued->pinched_edges;
   report.split_edges = glued->split_edges;
@@ -68,7 +69,7 @@ std::vector<std::uint8_t> Pipeline::rounded_vertices(const GluedSurface& glued) 
 
 void Pipeline::mend(const GluedSurface& glued) {
   Report& report = result_.report;
-  const Mending mending = mend_crossings(result_.surface, glued.vertices, rounded_vertices(glued));
+  const Mending mending = mend_crossings(result_.surface, glued.vertices, rounded_vertices(glued), context_);
   report.crossing_pairs = mending.found;
   report.crossing_pairs_left = mending.left;
   report.mended_vertices = mending.moved;

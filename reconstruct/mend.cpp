@@ -21,8 +21,9 @@ constexpr double kFewPlaces = 8;
 
 class Mender {
  public:
-  Mender(Surface& surface, std::span<const SurfaceVertex> origins, std::span<const std::uint8_t> rounded)
-      : surface_(surface), points_(surface.points), origins_(origins), rounded_(rounded) {}
+  Mender(Surface& surface, std::span<const SurfaceVertex> origins, std::span<const std::uint8_t> rounded,
+         const Context& context)
+      : surface_(surface), points_(surface.points), origins_(origins), rounded_(rounded), context_(context) {}
 
   Mending run() {
     std::vector<Pair> bad = find_bad();
@@ -32,8 +33,8 @@ class Mender {
     list_umbrellas();
     const double place = last_place();
     const double longest = std::max(kLongest * bounds_of(points_).diagonal(), kFewPlaces * place);
-    for (double reach = place; reach <= longest && !bad.empty(); reach *= 2)
-      for (std::size_t before = bad.size() + 1; bad.size() < before && !bad.empty();) {
+    for (double reach = place; reach <= longest && goes_on(bad); reach *= 2)
+      for (std::size_t before = bad.size() + 1; bad.size() < before && goes_on(bad);) {
         before = bad.size();
         mend(bad, reach);
         bad = find_bad();
@@ -48,6 +49,8 @@ class Mender {
   }
 
  private:
+  bool goes_on(const std::vector<Pair>& bad) const { return !bad.empty() && !context_.cancelled(); }
+
   /// Of the largest coordinate; not 0.
   double last_place() const {
     double largest = 0x1p-1022;
@@ -115,6 +118,7 @@ class Mender {
     std::sort(vertices.begin(), vertices.end());
     vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
     for (const std::uint32_t v : vertices) {
+      if (context_.cancelled()) return;
       const std::vector<std::uint32_t> copies = copies_of(v);
       if (!improve(tree, copies, reach) && copies.size() > 1) improve(tree, {v}, reach);
     }
@@ -173,6 +177,7 @@ class Mender {
   std::vector<Vec3>& points_;
   std::span<const SurfaceVertex> origins_;
   std::span<const std::uint8_t> rounded_;
+  const Context& context_;
   Lists umbrellas_;  ///< by vertex
   Mending result_;
 };
@@ -180,8 +185,8 @@ class Mender {
 }  // namespace
 
 Mending mend_crossings(Surface& surface, std::span<const SurfaceVertex> origins,
-                       std::span<const std::uint8_t> rounded) {
-  return Mender(surface, origins, rounded).run();
+                       std::span<const std::uint8_t> rounded, const Context& context) {
+  return Mender(surface, origins, rounded, context).run();
 }
 
 }  // namespace crossloft

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <span>
 
+#include "../geom/context.h"
 #include "glue.h"
 #include "surface.h"
 
@@ -26,9 +27,9 @@ struct Mending {
 /// helps any more, and so on up to a millionth of the diagonal (or 8 units). All exact on the double
 /// coordinates. Triangles without a rounded vertex are as exact as the solid, and do not cross.
 ///
-/// `origins` as in GluedSurface, `rounded` by vertex. Expected O(n log n) for n triangles if few pairs cross.
-/// Source: our own.
+/// `origins` as in GluedSurface, `rounded` by vertex. Expected O(n log n) for n triangles if few pairs cross;
+/// where many do, each round asks all triangles again. Stops early if cancelled. Source: our own.
 Mending mend_crossings(Surface& surface, std::span<const SurfaceVertex> origins,
-                       std::span<const std::uint8_t> rounded);
+                       std::span<const std::uint8_t> rounded, const Context& context = {});
 
 }  // namespace crossloft

@@ -58,3 +58,14 @@ TEST_CASE("planes a hair apart: a vertex of their diagram was rounded far off it
   options.branching.mode = Branching::all;
   check_case("arc_end_off_its_line.contour", options);
 }
+
+TEST_CASE("14,000 sizes from the origin: rounding made triangles cross, which are moved apart again") {
+  Options options;
+  options.match_tolerance = 0;
+  options.simplify = 1e-3;
+  const auto r = reconstruct(load("rounded_apart.contour", "/tests/reconstruct/cases/"), options);
+  REQUIRE(r.ok());
+  CHECK(r->report.crossing_pairs > 0);
+  CHECK(r->report.crossing_pairs_left == 0);
+  CHECK(check_surface(r->surface).crossings == 0);
+}
