@@ -49,6 +49,9 @@ struct CellRoofs {
   double height = 0;                               ///< of the highest point raised, lattice units
 };
 
+/// Rounds in which a triangle's roof may fail before it is left out.
+inline constexpr int kRoofRounds = 24;
+
 /// Builds what can be built. A raised point starts at the full height, or lower where the cell ends; where a
 /// tetrahedron overlaps an obstacle or another one, or is turned over by rounding, its raised points come
 /// down by half, all in one round, and again. Who fails in too many rounds is left out, and the heights start
@@ -56,7 +59,6 @@ struct CellRoofs {
 /// tetrahedra overlap in the result; plates of different faces, and a plate and the solid beside it, meet at
 /// the section's edges and vertices. Does not depend on the order of the obstacles. Expected O(n log n) each
 /// round.
-inline constexpr int kRoofRounds = 24;
 CellRoofs build_roofs(const RoofSite& site);
 
 }  // namespace crossloft
