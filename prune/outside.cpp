@@ -70,7 +70,7 @@ OutsidePart outside_part(const CellComplex& complex, const std::vector<std::uint
     const std::uint32_t t = part.tets[head];
     part.opening.add(t);
     for (unsigned corner = 4; corner < kCorners; ++corner)
-      visit_around_edge(complex.mesh, t, corner, [&](std::uint32_t n) {
+      visit_around_edge(complex.mesh, t, corner, [&](std::uint32_t n, unsigned) {
         if (seen[n] == 0) part.tets.push_back(n);
         seen[n] = 1;
       });
@@ -86,7 +86,7 @@ bool has_dome(const CellComplex& complex, const std::vector<std::uint8_t>& kept)
   for (std::uint32_t t = 0; t < kept.size(); ++t) {
     if (kept[t] != 0 || openings[parts.of[t]].kind() == Opening::wide) continue;
     for (unsigned corner = 4; corner < kCorners; ++corner)
-      visit_around_edge(complex.mesh, t, corner, [&](std::uint32_t n) {
+      visit_around_edge(complex.mesh, t, corner, [&](std::uint32_t n, unsigned) {
         if (kept[n] == 0) together.join(parts.of[t], parts.of[n]);
       });
   }

@@ -194,7 +194,7 @@ class SimpleGrowth {
   bool is_bypassed(std::uint32_t t) const {
     std::vector<std::array<std::uint32_t, 2>> around;  // tetrahedron, edge
     for (unsigned corner = 4; corner < kCorners; ++corner)
-      visit_around_edge(complex_.mesh, t, corner, [&](std::uint32_t n) {
+      visit_around_edge(complex_.mesh, t, corner, [&](std::uint32_t n, unsigned) {
         if (!solid_.has(n)) around.push_back({n, corner});
       });
     std::sort(around.begin(), around.end());
@@ -231,7 +231,7 @@ class SimpleGrowth {
     visited_[start] = visited_[dome] = 1;
     OpeningOf opening(complex_);
     bool fillable = true;
-    const auto see = [&](std::uint32_t t) {
+    const auto see = [&](std::uint32_t t, unsigned = 0) {
       if (visited_[t] != 0 || solid_.has(t)) return;
       visited_[t] = 1;
       seen.push_back(t);

@@ -84,8 +84,8 @@ inline unsigned same_corner(const TetMesh& mesh, std::uint32_t t, unsigned corne
   return kEdgeCorner[slot_of(to, from[ends[0]])][slot_of(to, from[ends[1]])];
 }
 
-/// Calls visit(n) for the other tetrahedra n around an edge of `start`, once each: around once, or on both
-/// sides as far as the hull. O(degree of the edge).
+/// Calls visit(n, corner of n that is the edge) for the other tetrahedra n around an edge of `start`, once
+/// each: around once, or on both sides as far as the hull. O(degree of the edge).
 template <class Visit>
 void visit_around_edge(const TetMesh& mesh, std::uint32_t start, unsigned corner, Visit&& visit) {
   const unsigned both = kCornerFacets[corner];
@@ -95,8 +95,8 @@ void visit_around_edge(const TetMesh& mesh, std::uint32_t start, unsigned corner
       const std::uint32_t n = mesh.neighbours[t][out];
       if (n == kNone) break;
       if (n == start) return;
-      visit(n);
       at = same_corner(mesh, t, at, n);
+      visit(n, at);
       out = other_facet(facet_towards(mesh, n, t), at);
       t = n;
     }

@@ -176,7 +176,7 @@ bool BranchingCell::lacks_on(std::size_t face) const {
   return false;
 }
 
-bool BranchingCell::may_branch() const { return components_ > (options_.only_where_lacking() ? 2 : 0); }
+bool BranchingCell::may_branch() const { return components_ > options_.most_without_samples(); }
 
 bool BranchingCell::lacks_something() const {
   if (!options_.only_where_lacking()) return true;

@@ -18,6 +18,8 @@ struct BranchingOptions {
 
   /// Only cells that leave something bare are looked at.
   bool only_where_lacking() const { return mode == Branching::automatic && !cutting; }
+  /// A cell with no more section components than these gets no samples.
+  std::uint32_t most_without_samples() const { return only_where_lacking() ? 2 : 0; }
 };
 
 }  // namespace crossloft

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "../prune/star.h"
 #include "grounded_table.h"
 
 namespace crossloft {
@@ -19,6 +20,8 @@ class CellBuilder {
  private:
   void sort_vertices(const CellTriangulation& triangulation);
   GroundedTable fill_table() const;
+  bool classify_facet(std::uint32_t t, std::size_t i, GroundedTable& table);
+  void classify_other_edges(GroundedTable& table);
   bool classify(GroundedTable& table);
   std::uint32_t local(std::uint32_t number) const {
     const auto& v = cell_.vertices;
@@ -39,24 +42,30 @@ class CellBuilder {
   std::span<const std::uint32_t> graph_vertex_of_;
   BuiltCell cell_;
   std::vector<std::uint32_t> triangle_base_;  ///< by face: number of its first triangle in the cell
+  std::uint32_t grounded_ = 0;                ///< hull facets on faces
 };
 
 /// Puts vertices into the order of their final numbers; samples came last.
 void CellBuilder::sort_vertices(const CellTriangulation& triangulation) {
   const CellVertices& from = triangulation.vertices();
+  CellComplex& complex = cell_.complex;
+  complex.vertex_count = from.size();
+  complex.words = from.words;
+  complex.mesh = triangulation.mesh();
+  if (std::is_sorted(from.numbers.begin(), from.numbers.end())) {
+    cell_.vertices = from.numbers;
+    complex.face_masks = from.face_masks;
+    return;
+  }
   std::vector<std::uint32_t> order(from.size()), place(from.size());
   std::iota(order.begin(), order.end(), 0u);
   std::sort(order.begin(), order.end(),
             [&](std::uint32_t a, std::uint32_t b) { return from.numbers[a] < from.numbers[b]; });
-  CellComplex& complex = cell_.complex;
-  complex.vertex_count = from.size();
-  complex.words = from.words;
   for (std::uint32_t k = 0; k < order.size(); ++k) {
     place[order[k]] = k;
     cell_.vertices.push_back(from.numbers[order[k]]);
     for (std::uint32_t w = 0; w < from.words; ++w) complex.face_masks.push_back(from.mask(order[k], w));
   }
-  complex.mesh = triangulation.mesh();
   for (auto& tet : complex.mesh.vertices)
     for (std::uint32_t& v : tet) v = place[v];
 }
@@ -91,36 +100,59 @@ EdgeKind CellBuilder::edge_kind(std::uint32_t a, std::uint32_t b, GroundedTable&
              : EdgeKind::external;
 }
 
-/// False if the hull facets on the faces are not the faces' triangles.
+/// Kind and triangle of facet i of t, if it is on a face; false if the face has no such triangle.
+bool CellBuilder::classify_facet(std::uint32_t t, std::size_t i, GroundedTable& table) {
+  CellComplex& complex = cell_.complex;
+  const auto& v = complex.mesh.vertices[t];
+  const auto& s = kFacetSlots[i];
+  if (shared_faces(v[s[0]], v[s[1]], v[s[2]]) == 0) return true;
+  const std::uint32_t number = table.find({v[s[0]], v[s[1]], v[s[2]]});
+  if (number == kNone) return false;
+  ++grounded_;
+  const auto above = std::upper_bound(triangle_base_.begin(), triangle_base_.end(), number);
+  const auto face = static_cast<std::uint32_t>(above - triangle_base_.begin() - 1);
+  const std::uint32_t triangle = number - triangle_base_[face];
+  const bool inside = faces_[face].triangulation->internal[triangle] != 0;
+  complex.facets[t][i] = inside ? FacetKind::internal : FacetKind::external;
+  if (inside) cell_.ground[t][i] = {face, triangle};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const unsigned corner = kEdgeCorner[s[k]][s[(k + 1) % 3]];
+    EdgeKind& kind = complex.edges[t][corner - 4];
+    if (kind != EdgeKind::free) continue;  // known from the hull facet on its other side
+    kind = edge_kind(v[s[k]], v[s[(k + 1) % 3]], table);
+    visit_around_edge(complex.mesh, t, corner,
+                      [&, kind](std::uint32_t n, unsigned at) { complex.edges[n][at - 4] = kind; });
+  }
+  return true;
+}
+
+/// Between vertices of a face without triangles, which no hull facet leads to.
+void CellBuilder::classify_other_edges(GroundedTable& table) {
+  CellComplex& complex = cell_.complex;
+  for (std::uint32_t t = 0; t < complex.mesh.size(); ++t)
+    for (std::size_t e = 0; e < 6; ++e) {
+      const auto& v = complex.mesh.vertices[t];
+      EdgeKind& kind = complex.edges[t][e];
+      if (kind == EdgeKind::free) kind = edge_kind(v[kEdgeSlots[e][0]], v[kEdgeSlots[e][1]], table);
+    }
+}
+
+/// False if the hull facets on the faces are not the faces' triangles. Edges are looked up once, from the
+/// hull, and told to all tetrahedra around them.
 bool CellBuilder::classify(GroundedTable& table) {
   CellComplex& complex = cell_.complex;
-  const std::uint32_t triangles = triangle_base_.back();
-  std::uint32_t grounded = 0;
-  for (std::uint32_t t = 0; t < complex.mesh.size(); ++t) {
-    const auto& v = complex.mesh.vertices[t];
-    std::array<GroundTriangle, 4> ground;
-    std::array<FacetKind, 4> kinds{};
-    for (std::size_t i = 0; i < 4; ++i) {
-      ground[i].face = kNone;
-      const auto& s = kFacetSlots[i];
-      if (complex.mesh.neighbours[t][i] != kNone || shared_faces(v[s[0]], v[s[1]], v[s[2]]) == 0) continue;
-      const std::uint32_t number = table.find({v[s[0]], v[s[1]], v[s[2]]});
-      if (number == kNone) return false;
-      ++grounded;
-      const auto above = std::upper_bound(triangle_base_.begin(), triangle_base_.end(), number);
-      const auto face = static_cast<std::uint32_t>(above - triangle_base_.begin() - 1);
-      const std::uint32_t triangle = number - triangle_base_[face];
-      const bool inside = faces_[face].triangulation->internal[triangle] != 0;
-      kinds[i] = inside ? FacetKind::internal : FacetKind::external;
-      if (inside) ground[i] = {face, triangle};
-    }
-    complex.facets.push_back(kinds);
-    cell_.ground.push_back(ground);
-    std::array<EdgeKind, 6> edges;
-    for (std::size_t e = 0; e < 6; ++e) edges[e] = edge_kind(v[kEdgeSlots[e][0]], v[kEdgeSlots[e][1]], table);
-    complex.edges.push_back(edges);
-  }
-  return grounded == triangles;
+  const std::uint32_t n = complex.mesh.size();
+  complex.facets.assign(n, {});
+  complex.edges.assign(n, {});
+  cell_.ground.assign(n, {GroundTriangle{kNone, 0}, {kNone, 0}, {kNone, 0}, {kNone, 0}});
+  for (std::uint32_t t = 0; t < n; ++t)
+    for (std::size_t i = 0; i < 4; ++i)
+      if (complex.mesh.neighbours[t][i] == kNone && !classify_facet(t, i, table)) return false;
+  const bool spans_area = std::all_of(faces_.begin(), faces_.end(), [](const CellFace& face) {
+    return !face.triangulation->triangles.empty() || face.numbers.size() < 2;
+  });
+  if (!spans_area) classify_other_edges(table);
+  return grounded_ == triangle_base_.back();
 }
 
 Result<BuiltCell> CellBuilder::run(const CellTriangulation& triangulation) {

@@ -137,7 +137,7 @@ Result<Done> Pipeline::prune_cell(CellId id, CellState& state) {
   if (options_.mode == PruneMode::natural) state.bridges = find_bridges(cell, pruned.kept, numbering_.points);
   // Natural may leave a section no more than a spike that no solid subset would have: it lacks samples even
   // so.
-  const bool ask_joint = samples_may_come_ && options_.mode == PruneMode::natural;
+  const bool ask_joint = samples_may_come_ && options_.mode == PruneMode::natural && is_near_branching(ids);
   cover(faces, ids,
         ask_joint ? ground_under(cell, prune(cell.complex, PruneMode::joint).kept) : state.ground);
   state.tets.clear();
@@ -146,19 +146,40 @@ Result<Done> Pipeline::prune_cell(CellId id, CellState& state) {
       std::array<std::uint32_t, 4>& tet = state.tets.emplace_back();
       for (std::size_t i = 0; i < 4; ++i) tet[i] = cell.vertices[cell.complex.mesh.vertices[t][i]];
     }
-  if (!may_take_samples(ids, faces)) state.triangulation.reset();
+  if (!may_take_samples(state, faces)) state.triangulation.reset();
   if (observer_) state.built = std::move(cell), state.pruned = std::move(pruned);
   return Done{};
 }
 
 /// Whether samples may be wanted in a cell that has been pruned; what is covered from its other sides is not
 /// known yet.
-bool Pipeline::may_take_samples(std::span<const FaceId> ids, std::span<const CellFace> faces) const {
+bool Pipeline::may_take_samples(const CellState& state, std::span<const CellFace> faces) const {
+  return state.may_branch && (!options_.branching.only_where_lacking() || is_somewhere_bare(faces));
+}
+
+/// Whether the cell, or one across its faces, is asked what it lacks: it looks at what both cover.
+bool Pipeline::is_near_branching(std::span<const FaceId> ids) const {
+  return std::any_of(ids.begin(), ids.end(), [&](FaceId f) {
+    const auto cells = arrangement_->cells_of(f);
+    return std::any_of(cells.begin(), cells.end(), [&](CellId c) { return cells_[c.value].may_branch; });
+  });
+}
+
+/// A cell's components are no more than those of its faces together: most cells of a stack are told by that.
+Result<Done> Pipeline::find_branching_cells() {
   const BranchingOptions& wanted = options_.branching;
-  if (wanted.mode == Branching::off && !wanted.cutting) return false;
-  if (wanted.only_where_lacking() && !is_somewhere_bare(faces)) return false;
-  return BranchingCell(graph_, *arrangement_, locators_, ids, faces, numbering_.points, options_.branching)
-      .may_branch();
+  if (wanted.mode == Branching::off && !wanted.cutting) return Done{};
+  return for_all(cells_.size(), "branching", [&](std::size_t c) -> Result<Done> {
+    const CellId id{static_cast<std::uint32_t>(c)};
+    const std::vector<FaceId> ids = inner_faces(id);
+    const std::vector<CellFace> faces = cell_faces(id, ids);
+    std::uint32_t most = 0;
+    for (const CellFace& face : faces) most += section_components(*face.triangulation);
+    cells_[c].may_branch =
+        most > wanted.most_without_samples() &&
+        BranchingCell(graph_, *arrangement_, locators_, ids, faces, numbering_.points, wanted).may_branch();
+    return Done{};
+  });
 }
 
 Result<Done> Pipeline::prune_due_cells() {
@@ -170,13 +191,12 @@ Result<Done> Pipeline::prune_due_cells() {
 
 /// Diagrams and samples of one cell, where there can be any.
 Result<CellBranching> Pipeline::branch(CellId id, CellState& state) {
+  if (!state.may_branch) return CellBranching{};
   const std::vector<FaceId> ids = inner_faces(id);
   const std::vector<CellFace> faces = cell_faces(id, ids);
-  if (!has_section(faces)) return CellBranching{};
   if (options_.branching.only_where_lacking() && !observer_ && !is_somewhere_bare(faces))
     return CellBranching{};
   BranchingCell cell(graph_, *arrangement_, locators_, ids, faces, numbering_.points, options_.branching);
-  if (!cell.may_branch()) return CellBranching{};
   cell.find_bare();
   if (!cell.lacks_something() && !observer_) return CellBranching{};
   if (!state.triangulation) state.triangulation = std::make_unique<CellTriangulation>(faces.size());
@@ -217,6 +237,7 @@ Result<Done> Pipeline::fill_cells() {
   cells_.resize(arrangement_->cell_count());
   const Branching mode = options_.branching.mode;
   samples_may_come_ = mode == Branching::automatic;
+  if (auto done = find_branching_cells(); !done) return done;
   if (mode != Branching::all)
     if (auto done = prune_due_cells(); !done) return done;
   samples_may_come_ = false;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "../geom/disjoint_sets.h"
 #include "self_check.h"
 
 namespace crossloft {
@@ -53,6 +54,21 @@ bool has_section(std::span<const CellFace> faces) {
     const auto& internal = face.triangulation->internal;
     return std::find(internal.begin(), internal.end(), 1) != internal.end();
   });
+}
+
+std::uint32_t section_components(const FaceTriangulation& face) {
+  DisjointSets sets(face.vertices.size() + face.added.size());
+  std::vector<std::uint8_t> in_section(face.vertices.size() + face.added.size(), 0);
+  for (std::size_t t = 0; t < face.triangles.size(); ++t) {
+    if (face.internal[t] == 0) continue;
+    const auto& v = face.triangles[t];
+    sets.join(v[0], v[1]);
+    sets.join(v[0], v[2]);
+    for (const std::uint32_t corner : v) in_section[corner] = 1;
+  }
+  std::uint32_t components = 0;
+  for (std::uint32_t v = 0; v < in_section.size(); ++v) components += in_section[v] & sets.is_root(v);
+  return components;
 }
 
 bool is_somewhere_bare(std::span<const CellFace> faces) {

@@ -110,6 +110,8 @@ class CellTriangulation {
 
 /// True iff some face has an internal triangle; else no tetrahedron of the cell can be kept.
 bool has_section(std::span<const CellFace> faces);
+/// Number of components of the section in a face: internal triangles that hang together at vertices.
+std::uint32_t section_components(const FaceTriangulation& face);
 /// True iff some internal triangle is not covered.
 bool is_somewhere_bare(std::span<const CellFace> faces);
 

@@ -61,7 +61,8 @@ struct CellState {
   std::vector<GroundTriangle> ground;  ///< internal triangles that kept tetrahedra stand on
   BuiltCell built;                     ///< only for an observer
   PruneResult pruned;
-  bool due = true;  ///< to be pruned: not yet done, or its faces have changed
+  bool may_branch = false;  ///< samples are wanted if it lacks something
+  bool due = true;          ///< to be pruned: not yet done, or its faces have changed
 };
 
 /// run() goes through the stages in the order they are declared.
@@ -114,7 +115,9 @@ class Pipeline {
   void cover(std::span<const CellFace> faces, std::span<const FaceId> ids,
              std::span<const GroundTriangle> ground);
   void cover_finally();
-  bool may_take_samples(std::span<const FaceId> ids, std::span<const CellFace> faces) const;
+  Result<Done> find_branching_cells();
+  bool is_near_branching(std::span<const FaceId> ids) const;
+  bool may_take_samples(const CellState& state, std::span<const CellFace> faces) const;
   Result<Done> add_samples();
   Result<CellBranching> branch(CellId id, CellState& state);
   void finish_cells();
