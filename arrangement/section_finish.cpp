@@ -63,7 +63,7 @@ bool RunMerger::try_remove(std::uint32_t v) {
 std::vector<std::uint32_t> RunMerger::candidates() const {
   std::vector<std::uint32_t> found;
   for (const std::uint32_t v : vertices_)
-    if (chains_.degree(v) == 2 && graph_.common_planes(v, v) == 1) found.push_back(v);
+    if (chains_.degree(v) == 2 && !graph_.share_line(v, v)) found.push_back(v);
   std::sort(found.begin(), found.end(), [&](std::uint32_t a, std::uint32_t b) {
     const int s = compare_lex(graph_.points[a], graph_.points[b]);
     return s != 0 ? s < 0 : a < b;
@@ -162,7 +162,7 @@ void cut_touching(SectionGraph& graph, std::uint32_t p) {
 void cut_along_edges(SectionGraph& graph, const Arrangement& arrangement) {
   std::vector<std::array<std::uint32_t, 2>> on_edge;  // edge, vertex
   for (std::uint32_t v = 0; v < graph.size(); ++v) {
-    if (graph.common_planes(v, v) < 2) continue;
+    if (!graph.share_line(v, v)) continue;
     const Location at = arrangement.locate({graph.positive_of(v), graph.zero_of(v)});
     if (at.found() && at.dimension == 1) on_edge.push_back({at.index, v});
   }
@@ -170,7 +170,7 @@ void cut_along_edges(SectionGraph& graph, const Arrangement& arrangement) {
   for (std::uint32_t p = 0; p < graph.planes.size(); ++p)
     for (std::uint32_t w = static_cast<std::uint32_t>(graph.walls[p].size()); w-- > 0;) {
       const Wall wall = graph.walls[p][w];
-      if (graph.common_planes(wall.a, wall.b) < 2) continue;
+      if (!graph.share_line(wall.a, wall.b)) continue;
       const Location at = wall_location(graph, arrangement, wall);
       if (!at.found() || at.dimension != 1) continue;
       std::vector<std::uint32_t> between;
@@ -180,6 +180,16 @@ void cut_along_edges(SectionGraph& graph, const Arrangement& arrangement) {
       if (!between.empty()) cut_wall(graph, p, w, between);
     }
   for (auto& walls : graph.walls) cancel_pairs(walls);
+}
+
+/// The arrangement vertices on a plane but not on the box.
+std::vector<ArrVertexId> inner_vertices(const Arrangement& arrangement, PlaneId plane) {
+  std::vector<ArrVertexId> list;
+  for (std::uint32_t v = 0; v < arrangement.vertex_count(); ++v) {
+    const ArrVertexId id{v};
+    if (!arrangement.on_box(id) && has_bit(arrangement.signs(id).zero, plane)) list.push_back(id);
+  }
+  return list;
 }
 
 }  // namespace
@@ -240,13 +250,13 @@ bool add_arrangement_vertices(SectionGraph& graph, const Arrangement& arrangemen
   const std::uint32_t count = arrangement.vertex_count();
   std::vector<bool> in(count, false), out(count, false);
   for (std::uint32_t p = 0; p < graph.planes.size(); ++p) {
+    const std::vector<ArrVertexId> on_plane = inner_vertices(arrangement, PlaneId{p});
+    if (on_plane.empty()) continue;
     std::vector<WallEnds> ends;
     const SectionLocator locator = graph.locator(p, ends);
-    for (std::uint32_t v = 0; v < count; ++v) {
-      const ArrVertexId id{v};
-      if (arrangement.on_box(id) || !has_bit(arrangement.signs(id).zero, PlaneId{p})) continue;
-      const bool outside = locator.locate(arrangement.point(id)) == SectionLocator::Place::outside;
-      (outside ? out : in)[v] = true;
+    for (const ArrVertexId v : on_plane) {
+      const bool outside = locator.locate(arrangement.point(v)) == SectionLocator::Place::outside;
+      (outside ? out : in)[v.value] = true;
     }
   }
   for (std::uint32_t v = 0; v < count; ++v) {

@@ -19,6 +19,17 @@ std::uint32_t SectionGraph::common_planes(std::uint32_t u, std::uint32_t v) cons
   return static_cast<std::uint32_t>(count);
 }
 
+bool SectionGraph::share_line(std::uint32_t u, std::uint32_t v) const {
+  bool one = false;
+  for (std::uint32_t w = 0; w < words; ++w) {
+    const std::uint64_t common = zero_of(u)[w] & zero_of(v)[w];
+    if (common == 0) continue;
+    if (one || (common & (common - 1)) != 0) return true;
+    one = true;
+  }
+  return false;
+}
+
 std::uint32_t SectionGraph::add(const LatticePoint& point) {
   points.push_back(point);
   positive.resize(positive.size() + words);

@@ -65,6 +65,8 @@ struct SectionGraph {
   int sign(std::uint32_t v, std::uint32_t p) const;
   /// How many planes both vertices are on.
   std::uint32_t common_planes(std::uint32_t u, std::uint32_t v) const;
+  /// Whether both are on one line of planes: at least two planes are common. u = v asks for one vertex.
+  bool share_line(std::uint32_t u, std::uint32_t v) const;
   /// Adds a vertex and its exact signs; equal points are not merged here. Returns its number. REQUIRES: rows
   /// are not shared.
   std::uint32_t add(const LatticePoint& point);

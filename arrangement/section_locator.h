@@ -25,6 +25,8 @@ class SectionLocator {
  public:
   enum class Place : std::uint8_t { outside, boundary, inside };
 
+  /// Of no plane, to be assigned to.
+  SectionLocator() = default;
   /// The spans must outlive the locator. REQUIRES: all points on `plane`; every point has an even number of walls.
   SectionLocator(const LatticePlane& plane, std::span<const LatticePoint> points, std::span<const WallEnds> walls);
 

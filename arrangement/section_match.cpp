@@ -77,7 +77,7 @@ std::vector<OnEdge> Matcher::collect() const {
       for (const std::uint32_t v : {wall.a, wall.b}) {
         if (seen[v] == p) continue;
         seen[v] = p;
-        if (graph_.common_planes(v, v) < 2) continue;
+        if (!graph_.share_line(v, v)) continue;
         const Location at = arrangement_.locate({graph_.positive_of(v), graph_.zero_of(v)});
         if (at.dimension == 1 && at.found()) found.push_back({at.index, p, v});
       }

@@ -128,9 +128,9 @@ Simplifier::Simplifier(SectionGraph& graph, std::uint32_t plane, ContourPlaces& 
 /// Puts v into the queue if (a) holds and it is not pinned; outdates what was said of it before.
 void Simplifier::assess(std::uint32_t v) {
   const std::uint32_t version = ++version_[place_[v]];
-  if (chains_.degree(v) != 2 || graph_.common_planes(v, v) != 1) return;
+  if (chains_.degree(v) != 2 || graph_.share_line(v, v)) return;
   auto [u, w] = chains_.neighbours(v);
-  if (graph_.common_planes(u, w) != 1) return;
+  if (graph_.share_line(u, w)) return;
   if (u > w) std::swap(u, w);  // rounded alike whichever way the contour runs
   const Vec3 a = real(graph_.points[u]), b = real(graph_.points[w]);
   double deviation = 0;

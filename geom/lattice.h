@@ -82,10 +82,20 @@ class LatticePointStore {
 
 /// True iff the two points have the same exact coordinates.
 bool equal(const LatticePoint& a, const LatticePoint& b);
-/// Sign of a_axis - b_axis.
-int compare_axis(int axis, const LatticePoint& a, const LatticePoint& b);
+/// Sign of a_axis - b_axis where both have the same rounded coordinate and one is not explicit.
+int compare_axis_exact(int axis, const LatticePoint& a, const LatticePoint& b);
+/// Sign of a_axis - b_axis. Rounding to nearest is monotone: different rounded values order the exact ones.
+inline int compare_axis(int axis, const LatticePoint& a, const LatticePoint& b) {
+  const double x = a[axis], y = b[axis];
+  if (x != y) return x < y ? -1 : 1;
+  return a.exact == b.exact ? 0 : compare_axis_exact(axis, a, b);
+}
 /// Lexicographic order by exact x, then y, then z: the rank of the symbolic perturbation.
-int compare_lex(const LatticePoint& a, const LatticePoint& b);
+inline int compare_lex(const LatticePoint& a, const LatticePoint& b) {
+  for (int axis = 0; axis < 3; ++axis)
+    if (const int sign = compare_axis(axis, a, b)) return sign;
+  return 0;
+}
 
 /// Sign of N.p - N.o: +1 on the side N points to.
 int side_of_plane(const LatticePlane& plane, const LatticePoint& p);

@@ -274,20 +274,11 @@ int incircle_exact(const LatticePlane& plane, const LatticePoint& a, const Latti
   }
 }
 
-int compare_axis(int axis, const LatticePoint& a, const LatticePoint& b) {
-  // Rounding to nearest is monotone: different rounded values order the exact ones.
-  if (a[axis] != b[axis]) return a[axis] < b[axis] ? -1 : 1;
-  if (a.exact == b.exact) return 0;
-  if (b.is_explicit()) return -compare_axis(axis, b, a);
+int compare_axis_exact(int axis, const LatticePoint& a, const LatticePoint& b) {
+  if (b.is_explicit()) return -compare_axis_exact(axis, b, a);
   const Homogeneous& q = *b.exact;
   if (a.is_explicit()) return (FixedInt<kCoordinateBits>(integer(a[axis])) * q.w - numerator(q, axis)).sign();
   return (numerator(*a.exact, axis) * q.w - numerator(q, axis) * a.exact->w).sign();
-}
-
-int compare_lex(const LatticePoint& a, const LatticePoint& b) {
-  for (int axis = 0; axis < 3; ++axis)
-    if (const int sign = compare_axis(axis, a, b)) return sign;
-  return 0;
 }
 
 bool equal(const LatticePoint& a, const LatticePoint& b) { return compare_lex(a, b) == 0; }

@@ -136,10 +136,55 @@ class SolidityForest {
   std::vector<std::uint32_t> falling_;
 };
 
+/// Flags of the vertices with an internal triangle at them.
+std::vector<std::uint8_t> vertices_on_ground(const CellComplex& complex) {
+  std::vector<std::uint8_t> flags(complex.vertex_count, 0);
+  for (std::uint32_t t = 0; t < complex.mesh.size(); ++t)
+    for (unsigned i = 0; i < 4; ++i)
+      if (complex.facets[t][i] == FacetKind::internal)
+        for (const std::uint8_t slot : kFacetSlots[i]) flags[complex.mesh.vertices[t][slot]] = 1;
+  return flags;
+}
+
+bool is_on_two_faces(const CellComplex& complex, std::uint32_t v) {
+  std::uint64_t seen = 0;
+  for (const std::uint64_t word : complex.faces_of(v)) {
+    if ((word & (word - 1)) != 0 || (word != 0 && seen != 0)) return true;
+    seen |= word;
+  }
+  return false;
+}
+
+/// Whether an internal triangle is at the edge, of any tetrahedron around it.
+bool has_ground_at_edge(const CellComplex& complex, std::uint32_t t, unsigned corner) {
+  bool found = is_on_ground(complex, t, corner);
+  visit_around_edge(complex.mesh, t, corner,
+                    [&](std::uint32_t n, unsigned at) { found |= is_on_ground(complex, n, at); });
+  return found;
+}
+
 }  // namespace
 
 void keep_largest_solid_subset(const CellComplex& complex, std::vector<std::uint8_t>& kept) {
   SolidityForest(complex, kept).run();
+}
+
+/// A grounded edge on one face alone has an internal triangle there; it is asked where two faces meet.
+bool has_ground_everywhere(const CellComplex& complex, const std::vector<std::uint8_t>& kept) {
+  const std::vector<std::uint8_t> on_ground = vertices_on_ground(complex);
+  std::vector<std::uint8_t> on_line(complex.vertex_count);
+  for (std::uint32_t v = 0; v < complex.vertex_count; ++v) on_line[v] = is_on_two_faces(complex, v) ? 1 : 0;
+  for (std::uint32_t t = 0; t < kept.size(); ++t) {
+    if (kept[t] == 0) continue;
+    const auto& v = complex.mesh.vertices[t];
+    if ((on_ground[v[0]] & on_ground[v[1]] & on_ground[v[2]] & on_ground[v[3]]) == 0) return false;
+    for (unsigned e = 0; e < 6; ++e)
+      if (complex.edges[t][e] != EdgeKind::free &&
+          (on_line[v[kEdgeSlots[e][0]]] & on_line[v[kEdgeSlots[e][1]]]) != 0 &&
+          !has_ground_at_edge(complex, t, 4 + e))
+        return false;
+  }
+  return true;
 }
 
 }  // namespace crossloft

@@ -5,6 +5,8 @@
 #include <algorithm>
 
 #include "../prune/confidence.h"
+#include "../prune/solidity.h"
+#include "../prune/star.h"
 #include "../prune/verify.h"
 #include "pruning_input.h"
 #include "self_check.h"
@@ -32,6 +34,35 @@ std::vector<GroundTriangle> ground_under(const BuiltCell& cell, const std::vecto
     for (const GroundTriangle& ground : cell.ground[t])
       if (kept[t] != 0 && ground.face != kNone) list.push_back(ground);
   return list;
+}
+
+/// The cell's part of the solid into its lists.
+void take_kept(const BuiltCell& cell, const std::vector<std::uint8_t>& kept, CellState& state) {
+  const TetMesh& mesh = cell.complex.mesh;
+  std::vector<std::uint32_t> position(kept.size(), kNone);
+  state.tets.clear();
+  state.partners.clear();
+  state.ground.clear();
+  state.feet.clear();
+  for (std::uint32_t t = 0; t < kept.size(); ++t) {
+    if (kept[t] == 0) continue;
+    const auto at = position[t] = static_cast<std::uint32_t>(state.tets.size());
+    auto& tet = state.tets.emplace_back();
+    state.partners.push_back({kNone, kNone, kNone, kNone});
+    for (std::size_t i = 0; i < 4; ++i) {
+      tet[i] = cell.vertices[mesh.vertices[t][i]];
+      const auto facet = 4 * at + static_cast<std::uint32_t>(i);
+      if (cell.ground[t][i].face != kNone) {
+        state.ground.push_back(cell.ground[t][i]);
+        state.feet.push_back(facet);
+      }
+      const std::uint32_t n = mesh.neighbours[t][i];
+      if (n == kNone || position[n] == kNone) continue;  // the later one of two joins them
+      const unsigned back = facet_towards(mesh, n, t);
+      state.partners[at][i] = 4 * position[n] + back;
+      state.partners[position[n]][back] = facet;
+    }
+  }
 }
 
 }  // namespace
@@ -132,20 +163,17 @@ Result<Done> Pipeline::prune_cell(CellId id, CellState& state) {
   report.bad_links = pruned.natural.after.bad_links;
   report_topology(cell, pruned.natural, report);
   state.pruning_seconds += watch.lap();
-  state.ground = ground_under(cell, pruned.kept);
+  take_kept(cell, pruned.kept, state);
   state.answers = by_final_numbers(std::move(pruned.answers), ids, cell);
   if (options_.mode == PruneMode::natural) state.bridges = find_bridges(cell, pruned.kept, numbering_.points);
   // Natural may leave a section no more than a spike that no solid subset would have: it lacks samples even
-  // so.
-  const bool ask_joint = samples_may_come_ && options_.mode == PruneMode::natural && is_near_branching(ids);
+  // so. Where natural is solid and covers all, so does the largest solid subset.
+  const CellTopology& topology = pruned.natural.after;
+  const bool ask_joint =
+      samples_may_come_ && options_.mode == PruneMode::natural && is_near_branching(ids) &&
+      !(topology.bare == 0 && topology.bad_links == 0 && has_ground_everywhere(cell.complex, pruned.kept));
   cover(faces, ids,
         ask_joint ? ground_under(cell, prune(cell.complex, PruneMode::joint).kept) : state.ground);
-  state.tets.clear();
-  for (std::size_t t = 0; t < pruned.kept.size(); ++t)
-    if (pruned.kept[t] != 0) {
-      std::array<std::uint32_t, 4>& tet = state.tets.emplace_back();
-      for (std::size_t i = 0; i < 4; ++i) tet[i] = cell.vertices[cell.complex.mesh.vertices[t][i]];
-    }
   if (!may_take_samples(state, faces)) state.triangulation.reset();
   if (observer_) state.built = std::move(cell), state.pruned = std::move(pruned);
   return Done{};
@@ -259,6 +287,9 @@ Result<Done> Pipeline::fill_cells() {
 
 void Pipeline::finish_cells() {
   Report& report = result_.report;
+  SolidInCells solid = solid_in_cells();
+  tets_ = std::move(solid.tets);
+  if (!glued_) known_ = std::move(solid.known);
   for (std::uint32_t c = 0; c < cells_.size(); ++c) {
     CellState& cell = cells_[c];
     if (cell.report.tets_r0 == 0) continue;
@@ -267,12 +298,13 @@ void Pipeline::finish_cells() {
     add_up(cell.report, report.topology);
     report.seconds.delaunay += cell.delaunay_seconds;
     report.seconds.pruning += cell.pruning_seconds;
-    for (const auto* list : {&cell.tets, &cell.bridge_tets})
-      tets_.insert(tets_.end(), list->begin(), list->end());
     if (observer_) observer_->on_cell(CellId{c}, cell.built, cell.pruned);
   }
   cells_.clear();
+  for (std::uint32_t i = 0; i < roof_tets_.size(); ++i)
+    known_.loose.push_back(static_cast<std::uint32_t>(tets_.size()) + i);
   tets_.insert(tets_.end(), roof_tets_.begin(), roof_tets_.end());
+  known_.partner.resize(4 * tets_.size(), kNone);
   watch_.lap();
 }
 

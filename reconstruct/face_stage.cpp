@@ -11,8 +11,11 @@ namespace crossloft {
 Result<Done> Pipeline::triangulate_faces() {
   inputs_ = face_inputs(graph_, *arrangement_);
   wall_ends_.resize(graph_.planes.size());
-  for (std::uint32_t p = 0; p < graph_.planes.size(); ++p)
-    locators_.push_back(graph_.locator(p, wall_ends_[p]));
+  locators_.resize(graph_.planes.size());
+  const auto locate = [&](std::size_t p) {
+    locators_[p] = graph_.locator(static_cast<std::uint32_t>(p), wall_ends_[p]);
+  };
+  if (!parallel_for(locators_.size(), context_, "sections", locate)) return cancelled();
   faces_.resize(inputs_.size());
   const auto good = for_all(inputs_.size(), "faces", [&](std::size_t f) -> Result<Done> {
     const FaceId id{static_cast<std::uint32_t>(f)};
@@ -67,10 +70,14 @@ void Pipeline::classify_lines() {
   line_edges_ = std::make_unique<LineEdges>(graph_);
   for (const FaceTriangulation& face : faces_) line_edges_->add(face);
   line_edges_->finish();
-  for (FaceTriangulation& face : faces_)
-    for (FaceEdge& e : face.edges)
-      if (e.b < face.vertices.size() && line_edges_->on_line(face.vertices[e.a], face.vertices[e.b]))
-        e.kind = line_edges_->kind(face.vertices[e.a], face.vertices[e.b]);
+  for (FaceTriangulation& face : faces_) {
+    const std::vector<std::uint8_t> on_some_line = line_edges_->vertices_on_lines(face);
+    for (FaceEdge& e : face.edges) {
+      if (e.b >= on_some_line.size() || (on_some_line[e.a] & on_some_line[e.b]) == 0) continue;
+      const std::uint32_t u = face.vertices[e.a], v = face.vertices[e.b];
+      if (line_edges_->on_line(u, v)) e.kind = line_edges_->kind(u, v);
+    }
+  }
 }
 
 /// Faces are final, and the sections are what they say.

@@ -1,6 +1,7 @@
 #include "face_triangulation.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include "../delaunay/conform.h"
 #include "../delaunay/lattice_predicates.h"
@@ -39,12 +40,20 @@ namespace {
 class WallTable {
  public:
   void add(const Wall& wall) { walls_.push_back(wall.a < wall.b ? wall : reversed(wall)); }
-  void finish() { std::sort(walls_.begin(), walls_.end(), before); }
+  /// REQUIRES: ends are below `vertices`.
+  void finish(std::size_t vertices) {
+    std::sort(walls_.begin(), walls_.end(), before);
+    begin_.assign(vertices + 1, 0);
+    for (const Wall& wall : walls_) ++begin_[wall.a + std::size_t{1}];
+    std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
+  }
+  /// Among the walls at the smaller end: two as a rule.
   const Wall* find(std::uint32_t a, std::uint32_t b) const {
     Wall key;
     key.a = std::min(a, b), key.b = std::max(a, b);
-    const auto it = std::lower_bound(walls_.begin(), walls_.end(), key, before);
-    return it != walls_.end() && it->a == key.a && it->b == key.b ? &*it : nullptr;
+    const auto first = walls_.begin() + begin_[key.a], last = walls_.begin() + begin_[key.a + std::size_t{1}];
+    const auto it = std::lower_bound(first, last, key, before);
+    return it != last && it->b == key.b ? &*it : nullptr;
   }
   /// Whether the section is on the left of the directed edge; REQUIRES find(a, b).
   static bool inside_left(const Wall& wall, std::uint32_t from) {
@@ -59,6 +68,7 @@ class WallTable {
   }
   static bool before(const Wall& x, const Wall& y) { return x.a != y.a ? x.a < y.a : x.b < y.b; }
   std::vector<Wall> walls_;
+  std::vector<std::uint32_t> begin_;  ///< by smaller end: its first wall
 };
 
 /// The work of one face; local numbers throughout.
@@ -91,6 +101,7 @@ class FaceBuilder {
     return wall;
   }
   Result<Done> conform_to_walls(Delaunay2<LatticePredicates2>& tri);
+  void find_walls();
   Result<Done> label();
   bool seed(std::uint32_t triangle) const;
   void collect_edges();
@@ -104,6 +115,7 @@ class FaceBuilder {
   FaceTriangulation result_;
   TriMesh mesh_;
   WallTable table_;
+  std::vector<std::array<const Wall*, 3>> wall_at_;  ///< by triangle: on the side opposite each vertex
 };
 
 Result<Done> FaceBuilder::conform_to_walls(Delaunay2<LatticePredicates2>& tri) {
@@ -140,6 +152,12 @@ bool FaceBuilder::seed(std::uint32_t triangle) const {
   return locator_.inside_toward(points_[v[0]], points_[v[1]]);
 }
 
+void FaceBuilder::find_walls() {
+  table_.finish(points_.size());
+  for (const auto& v : mesh_.vertices)
+    wall_at_.push_back({table_.find(v[1], v[2]), table_.find(v[2], v[0]), table_.find(v[0], v[1])});
+}
+
 /// Floods inside and outside from the walls; contradictions are a defect of the walls' orientation.
 Result<Done> FaceBuilder::label() {
   constexpr std::uint8_t kUnknown = 2;
@@ -154,22 +172,18 @@ Result<Done> FaceBuilder::label() {
       contradiction = true;
     }
   };
-  const auto edge_wall = [&](std::uint32_t t, std::uint32_t i) {
-    const auto& v = mesh_.vertices[t];
-    return table_.find(v[(i + 1) % 3], v[(i + 2) % 3]);
-  };
   const auto flood = [&] {
     while (!stack.empty()) {
       const std::uint32_t t = stack.back();
       stack.pop_back();
       for (std::uint32_t i = 0; i < 3; ++i)
-        if (const std::uint32_t n = mesh_.neighbours[t][i]; n != kNone && !edge_wall(t, i))
+        if (const std::uint32_t n = mesh_.neighbours[t][i]; n != kNone && !wall_at_[t][i])
           mark(n, result_.internal[t] != 0);
     }
   };
   for (std::uint32_t t = 0; t < mesh_.size(); ++t)
     for (std::uint32_t i = 0; i < 3; ++i)
-      if (const Wall* wall = edge_wall(t, i))
+      if (const Wall* wall = wall_at_[t][i])
         mark(t, WallTable::inside_left(*wall, mesh_.vertices[t][(i + 1) % 3]));
   flood();
   for (std::uint32_t t = 0; t < mesh_.size(); ++t)
@@ -186,7 +200,7 @@ void FaceBuilder::collect_edges() {
     for (std::uint32_t i = 0; i < 3; ++i) {
       if (const std::uint32_t n = mesh_.neighbours[t][i]; n != kNone && n < t) continue;
       const std::uint32_t a = mesh_.vertices[t][(i + 1) % 3], b = mesh_.vertices[t][(i + 2) % 3];
-      const EdgeKind kind = table_.find(a, b)          ? EdgeKind::contour
+      const EdgeKind kind = wall_at_[t][i]             ? EdgeKind::contour
                             : result_.internal[t] != 0 ? EdgeKind::internal
                                                        : EdgeKind::external;
       result_.edges.push_back({std::min(a, b), std::max(a, b), kind});
@@ -201,8 +215,8 @@ Result<FaceTriangulation> FaceBuilder::run() {
   if (auto done = conform_to_walls(tri); !done) return done.error();
   if (auto good = self_check("Delaunay of a face", [&] { return tri.verify(); }); !good) return good.error();
   if (tri.dimension() < 2) return std::move(result_);
-  table_.finish();
   mesh_ = tri.tri_mesh();
+  find_walls();
   if (auto done = label(); !done) return done.error();
   collect_edges();
   result_.triangles = std::move(mesh_.vertices);
@@ -232,12 +246,21 @@ std::uint32_t LineEdges::shared_planes(std::uint32_t u, std::uint32_t v) const {
   return graph_->common_planes(u, v);
 }
 
+std::vector<std::uint8_t> LineEdges::vertices_on_lines(const FaceTriangulation& face) const {
+  std::vector<std::uint8_t> flags;
+  for (const std::uint32_t v : face.vertices) flags.push_back(graph_->locations[v].dimension != 2 ? 1 : 0);
+  return std::count(flags.begin(), flags.end(), 1) < 2 ? std::vector<std::uint8_t>{} : flags;
+}
+
 void LineEdges::add(const FaceTriangulation& face) {
+  const std::vector<std::uint8_t> on_some_line = vertices_on_lines(face);
+  if (on_some_line.empty()) return;
   const auto count = static_cast<std::uint32_t>(face.vertices.size());
   for (std::size_t t = 0; t < face.triangles.size(); ++t)
     for (std::size_t i = 0; i < 3 && face.internal[t] != 0; ++i) {
       const std::uint32_t a = face.triangles[t][i], b = face.triangles[t][(i + 1) % 3];
       if (a >= count || b >= count) continue;  // splits and samples are on no line
+      if ((on_some_line[a] & on_some_line[b]) == 0) continue;
       const std::uint32_t u = face.vertices[a], v = face.vertices[b];
       if (on_line(u, v)) inside_.push_back({std::min(u, v), std::max(u, v), face.plane});
     }

@@ -72,6 +72,9 @@ class LineEdges {
   EdgeKind kind(std::uint32_t u, std::uint32_t v) const;
   /// True iff u and v share two or more planes.
   bool on_line(std::uint32_t u, std::uint32_t v) const { return shared_planes(u, v) >= 2; }
+  /// Flags by vertex of the graph in the face (local numbers): on a plane-plane line at all. Empty if fewer
+  /// than two are, as in a stack of slices: then no edge of the face is on a line.
+  std::vector<std::uint8_t> vertices_on_lines(const FaceTriangulation& face) const;
 
  private:
   /// REQUIRES: they share one.

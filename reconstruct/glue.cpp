@@ -1,7 +1,6 @@
 #include "glue.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cstddef>
 #include <numeric>
 #include <utility>
@@ -10,6 +9,7 @@
 #include "../geom/disjoint_sets.h"
 #include "../geom/parallel.h"
 #include "../prune/star.h"
+#include "self_check.h"
 
 namespace crossloft {
 namespace {
@@ -34,9 +34,26 @@ Triple outward(Tets tets, std::uint32_t facet) {
 }
 
 /// The same orientation with the smallest vertex first.
-Triple rotated(Triple t) {
-  std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+Triple rotated(const Triple& t) {
+  if (t[1] < t[0] && t[1] < t[2]) return {t[1], t[2], t[0]};
+  if (t[2] < t[0] && t[2] < t[1]) return {t[2], t[0], t[1]};
   return t;
+}
+
+/// Sorts by the first vertex in linear time, then within the few that have the same one.
+template <class Item, class FirstVertex>
+void sort_by_vertex(std::vector<Item>& items, FirstVertex first_vertex) {
+  std::uint32_t count = 0;
+  for (const Item& item : items) count = std::max(count, first_vertex(item) + 1);
+  std::vector<std::uint32_t> begin(std::size_t{count} + 1, 0);
+  for (const Item& item : items) ++begin[first_vertex(item) + std::size_t{1}];
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  std::vector<Item> sorted(items.size());
+  std::vector<std::uint32_t> next(begin);
+  for (const Item& item : items) sorted[next[first_vertex(item)]++] = item;
+  for (std::uint32_t v = 0; v < count; ++v)
+    std::sort(sorted.begin() + begin[v], sorted.begin() + begin[v + std::size_t{1}]);
+  items = std::move(sorted);
 }
 
 Error failure(ErrorCode code, const char* message) {
@@ -81,75 +98,64 @@ bool for_blocks(std::size_t tets, const Context& context, Work&& work) {
   });
 }
 
-/// partner[f] = the facet glued to facet f, kNone on the boundary.
-///
-/// Most facets have their partner in the same block: a small table of its facets, which stays in the cache,
-/// finds those. What is left over is sorted.
+/// Facets without a partner all of whose vertices are flagged, in groups of the same vertices: two of them
+/// are glued. False if there are more than two, or two with the same side.
 class FacetMatcher {
  public:
-  explicit FacetMatcher(Tets tets) : tets_(tets), partner_(4 * tets.size(), kNone) {}
+  FacetMatcher(Tets tets, std::vector<std::uint32_t>& partner) : tets_(tets), partner_(partner) {}
 
-  Result<std::vector<std::uint32_t>> run(const Context& context) {
-    const auto work = [&](std::uint32_t first, std::uint32_t last) { match_block(first, last); };
-    if (!for_blocks(tets_.size(), context, work)) return failure(ErrorCode::cancelled, "cancelled");
-    match_rest();
-    if (overlap_) return failure(ErrorCode::internal, "tetrahedra overlap: they can't be glued");
-    return std::move(partner_);
+  bool run(const std::vector<std::uint8_t>& flagged) {
+    std::vector<std::uint32_t> facets;
+    for (std::uint32_t f = 0; f < partner_.size(); ++f) {
+      const Triple t = outward(tets_, f);
+      if (partner_[f] == kNone && (flagged[t[0]] & flagged[t[1]] & flagged[t[2]]) != 0) facets.push_back(f);
+    }
+    FacetBuckets buckets = fill_buckets(tets_, facets);
+    for (std::size_t v = 0; v + 1 < buckets.begin.size(); ++v)
+      match({buckets.facets.data() + buckets.begin[v], buckets.begin[v + 1] - buckets.begin[v]});
+    return !overlap_;
   }
 
  private:
-  static constexpr std::uint32_t kSlots = 8 * kBlock;  ///< of the table, half of them used at most
-
-  void match(std::uint32_t p, std::uint32_t q, bool same_side) {
-    if (same_side || partner_[p] != kNone) overlap_ = true;
-    partner_[p] = q;
-    partner_[q] = p;
-  }
-
-  void match_block(std::uint32_t first, std::uint32_t last) {
-    std::vector<std::uint32_t> table(kSlots, kNone);  // facets by hash
-    for (std::uint32_t f = 4 * first; f < 4 * last; ++f) {
-      const Triple t = rotated(outward(tets_, f));
-      std::uint32_t slot = slot_for(t);
-      while (table[slot] != kNone && !same_vertices(table[slot], t)) slot = (slot + 1) % kSlots;
-      if (table[slot] == kNone)
-        table[slot] = f;
-      else
-        match(table[slot], f, rotated(outward(tets_, table[slot])) == t);
-    }
-  }
-
-  static std::uint32_t slot_for(const Triple& t) {
-    const std::uint64_t mixed =
-        (std::uint64_t{t[0]} * 0x9E3779B97F4A7C15U) ^ (std::uint64_t{t[1]} + t[2]) * 0xC2B2AE3D27D4EB4FU;
-    return static_cast<std::uint32_t>(mixed >> 40) % kSlots;
-  }
-
-  /// `t` with the smallest vertex first.
-  bool same_vertices(std::uint32_t facet, const Triple& t) const {
-    const Triple u = rotated(outward(tets_, facet));
-    return u[0] == t[0] && std::minmax(u[1], u[2]) == std::minmax(t[1], t[2]);
-  }
-
-  void match_rest() {
-    std::vector<std::uint32_t> rest;
-    for (std::uint32_t f = 0; f < partner_.size(); ++f)
-      if (partner_[f] == kNone) rest.push_back(f);
-    FacetBuckets buckets = fill_buckets(tets_, rest);
-    for (std::size_t v = 0; v + 1 < buckets.begin.size(); ++v) {
-      const std::span bucket(buckets.facets.data() + buckets.begin[v],
-                             buckets.begin[v + 1] - buckets.begin[v]);
-      std::sort(bucket.begin(), bucket.end());
-      for (std::size_t i = 0; i + 1 < bucket.size(); ++i)
-        if (bucket[i].same_vertices(bucket[i + 1]))
-          match(bucket[i].number, bucket[i + 1].number, bucket[i].even == bucket[i + 1].even);
+  void match(std::span<Facet> bucket) {
+    std::sort(bucket.begin(), bucket.end());
+    for (std::size_t i = 0; i + 1 < bucket.size(); ++i) {
+      const Facet &f = bucket[i], &g = bucket[i + 1];
+      if (!f.same_vertices(g)) continue;
+      if (f.even == g.even || partner_[f.number] != kNone) overlap_ = true;
+      partner_[f.number] = g.number;
+      partner_[g.number] = f.number;
     }
   }
 
   Tets tets_;
-  std::vector<std::uint32_t> partner_;
-  std::atomic<bool> overlap_ = false;
+  std::vector<std::uint32_t>& partner_;
+  bool overlap_ = false;
 };
+
+/// Flags of the vertices of some tetrahedra.
+std::vector<std::uint8_t> vertices_of(Tets tets, std::span<const std::uint32_t> some) {
+  std::uint32_t largest = 0;
+  for (const auto& tet : tets) largest = std::max({largest, tet[0], tet[1], tet[2], tet[3]});
+  std::vector<std::uint8_t> flags(largest + std::size_t{1}, 0);
+  for (const std::uint32_t t : some)
+    for (const std::uint32_t v : tets[t]) flags[v] = 1;
+  return flags;
+}
+
+/// Nothing known.
+KnownFacets all_loose(std::size_t tets) {
+  KnownFacets known{std::vector<std::uint32_t>(4 * tets, kNone), std::vector<std::uint32_t>(tets)};
+  std::iota(known.loose.begin(), known.loose.end(), 0U);
+  return known;
+}
+
+/// By vertices alone, to check what was known; empty if tetrahedra overlap.
+std::vector<std::uint32_t> all_partners(Tets tets) {
+  KnownFacets all = all_loose(tets.size());
+  if (!all.loose.empty() && !FacetMatcher(tets, all.partner).run(vertices_of(tets, all.loose))) return {};
+  return all.partner;
+}
 
 /// What `partner` says of a boundary facet, once there are triangles: its triangle, marked.
 constexpr std::uint32_t kBoundaryMark = 1U << 31;
@@ -161,7 +167,7 @@ std::vector<Triple> collect_boundary(Tets tets, std::vector<std::uint32_t>& part
   for (std::uint32_t f = 0; f < partner.size(); ++f) {
     if (partner[f] == kNone) found.emplace_back(rotated(outward(tets, f)), f);
   }
-  std::sort(found.begin(), found.end());
+  sort_by_vertex(found, [](const auto& entry) { return entry.first[0]; });
   std::vector<Triple> triangles;
   triangles.reserve(found.size());
   for (const auto& [triangle, facet] : found) {
@@ -246,7 +252,7 @@ class Cutter {
       const auto [a, b] = std::minmax({end(s), end(next_corner(s))});
       edges.push_back({a, b, s});
     }
-    std::sort(edges.begin(), edges.end());
+    sort_by_vertex(edges, [](const Side& side) { return side.a; });
     return edges;
   }
 
@@ -373,15 +379,26 @@ bool has_paired_sides(std::uint32_t vertex_count, std::span<const Triple> triang
 
 }  // namespace
 
-Result<GluedSurface> glue(std::span<const std::array<std::uint32_t, 4>> tets, const Context& context) {
+Result<GluedSurface> glue(Tets tets, KnownFacets known, const Context& context) {
   if (tets.size() >= kBoundaryMark / 4) return failure(ErrorCode::too_large, "2^29 tetrahedra or more");
-  auto partner = FacetMatcher(tets).run(context);
-  if (!partner) return partner.error();
-  const std::vector<Triple> triangles = collect_boundary(tets, *partner);
-  const auto mate = pair_sides(tets, *partner, triangles, context);
+  std::vector<std::uint32_t>& partner = known.partner;
+  if (!known.loose.empty() && !FacetMatcher(tets, partner).run(vertices_of(tets, known.loose)))
+    return failure(ErrorCode::internal, "tetrahedra overlap: they can't be glued");
+  const auto good = self_check("gluing", [&] {
+    return partner == all_partners(tets) ? "" : "facets are not matched as their vertices say";
+  });
+  if (!good) return good.error();
   if (context.cancelled()) return failure(ErrorCode::cancelled, "cancelled");
-  *partner = {};
+  const std::vector<Triple> triangles = collect_boundary(tets, partner);
+  const auto mate = pair_sides(tets, partner, triangles, context);
+  if (context.cancelled()) return failure(ErrorCode::cancelled, "cancelled");
+  known = {};
   return Cutter(triangles, mate).run();
+}
+
+Result<GluedSurface> glue(Tets tets, const Context& context) {
+  if (tets.size() >= kBoundaryMark / 4) return failure(ErrorCode::too_large, "2^29 tetrahedra or more");
+  return glue(tets, all_loose(tets.size()), context);
 }
 
 bool verify_surface(std::uint32_t vertex_count, std::span<const std::array<std::uint32_t, 3>> triangles) {

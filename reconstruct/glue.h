@@ -39,13 +39,24 @@ struct GluedSurface {
 };
 
 /// Glues. Tetrahedra are given by input vertices a, b, c, d with det(b-a, c-a, d-a) > 0 and match by vertex
-/// triples; those without a partner are the boundary. Without overlaps the result depends on the set of tetrahedra
-/// only, not on their order nor on which even permutation of its vertices each is given by. Errors: internal, if three
-/// facets that are near in the list or not yet matched share a triple, or two have the same side (overlapping
-/// tetrahedra); too_large from 2^29 tetrahedra on. O(n log n + largest vertex), arrays only; fast where
-/// neighbours are near each other in the list.
-/// The context lends threads.
+/// triples; those without a partner are the boundary. Without overlaps the result depends on the set of
+/// tetrahedra only, not on their order nor on which even permutation of its vertices each is given by. Errors:
+/// internal, if three facets share a triple, or two have the same side (overlapping tetrahedra); too_large
+/// from 2^29 tetrahedra on. O(n log n + largest vertex), arrays only. The context lends threads.
 Result<GluedSurface> glue(std::span<const std::array<std::uint32_t, 4>> tets, const Context& context = {});
+
+/// What is known before: the triangulations of the cells say what is next to what.
+struct KnownFacets {
+  /// By facet, that is by 4 * tetrahedron + slot: the facet glued to it, else kNone.
+  std::vector<std::uint32_t> partner;
+  /// Tetrahedra whose facets may match others although `partner` does not say so.
+  std::vector<std::uint32_t> loose;
+};
+
+/// The same; what is known is taken on trust, so that only what is loose has to be matched. O(n + b log b + m
+/// log m) for a boundary of b triangles and m facets at the vertices of what is loose.
+Result<GluedSurface> glue(std::span<const std::array<std::uint32_t, 4>> tets, KnownFacets known,
+                          const Context& context = {});
 
 /// True iff the triangles form a closed oriented 2-manifold on exactly the vertices 0..vertex_count-1: three
 /// different vertices each, every directed edge once and its reverse once, one cycle of triangles around each

@@ -23,13 +23,48 @@ struct Anywhere : Confinement {
 
 }  // namespace
 
+/// Two cells meet in the triangles of their common face, each of which has a facet on either side.
+SolidInCells Pipeline::solid_in_cells() const {
+  SolidInCells solid;
+  std::size_t count = 0, triangles = 0;
+  for (const CellState& cell : cells_) count += cell.tets.size() + cell.bridge_tets.size();
+  solid.tets.reserve(count);
+  solid.known.partner.reserve(4 * count);
+  std::vector<std::size_t> begin;  // by face: number of its first triangle
+  for (const FaceTriangulation& face : faces_) {
+    begin.push_back(triangles);
+    triangles += face.triangles.size();
+  }
+  std::vector<std::uint32_t> first(triangles, kNone);  // by triangle: the facet on it that came first
+  for (std::uint32_t c = 0; c < cells_.size(); ++c) {
+    const CellState& cell = cells_[c];
+    const auto base = static_cast<std::uint32_t>(4 * solid.tets.size());
+    solid.tets.insert(solid.tets.end(), cell.tets.begin(), cell.tets.end());
+    for (const auto& facets : cell.partners)
+      for (const std::uint32_t f : facets) solid.known.partner.push_back(f == kNone ? kNone : base + f);
+    const std::vector<FaceId> ids = inner_faces(CellId{c});
+    for (std::size_t i = 0; i < cell.feet.size(); ++i) {
+      std::uint32_t& other = first[begin[ids[cell.ground[i].face].value] + cell.ground[i].triangle];
+      const std::uint32_t here = base + cell.feet[i];
+      if (other != kNone) solid.known.partner[here] = other, solid.known.partner[other] = here;
+      other = here;
+    }
+    for (const auto& tet : cell.bridge_tets) {
+      solid.known.loose.push_back(static_cast<std::uint32_t>(solid.tets.size()));
+      solid.tets.push_back(tet);
+    }
+    solid.known.partner.resize(4 * solid.tets.size(), kNone);
+  }
+  return solid;
+}
+
 Result<Done> Pipeline::glue_cells() {
-  result_.solid = assemble_solid(tets_, numbering_, framed_.grid);
   if (!glued_) {
-    auto made = glue(tets_, context_);
+    auto made = glue(tets_, std::move(known_), context_);
     if (!made) return made.error();
     glued_ = std::make_unique<GluedSurface>(std::move(made).value());
   }
+  result_.solid = assemble_solid(tets_, numbering_, framed_.grid);  // in another order
   const GluedSurface* const glued = glued_.get();
   const auto good = self_check("gluing", [&] {
     const auto count = static_cast<std::uint32_t>(glued->vertices.size());

@@ -4,33 +4,52 @@
 
 namespace crossloft {
 
-Numbering number_vertices(const SectionGraph& graph, std::span<const FaceTriangulation> faces) {
-  struct Item {
-    LatticePoint point;
-    std::uint32_t graph_vertex, face, local;
-  };
-  std::vector<Item> items;
-  for (std::uint32_t v = 0; v < graph.size(); ++v) items.push_back({graph.points[v], v, kNone, kNone});
+namespace {
+
+/// A split or sample of a face.
+struct AddedVertex {
+  LatticePoint point;
+  std::uint32_t face, local;
+};
+
+std::vector<AddedVertex> added_vertices(std::span<const FaceTriangulation> faces) {
+  std::vector<AddedVertex> list;
   for (std::uint32_t f = 0; f < faces.size(); ++f)
     for (std::uint32_t s = 0; s < faces[f].added.size(); ++s)
-      items.push_back(
-          {faces[f].added[s], kNone, f, static_cast<std::uint32_t>(faces[f].vertices.size()) + s});
-  std::sort(items.begin(), items.end(),
-            [](const Item& x, const Item& y) { return compare_lex(x.point, y.point) < 0; });
+      list.push_back({faces[f].added[s], f, static_cast<std::uint32_t>(faces[f].vertices.size()) + s});
+  std::sort(list.begin(), list.end(), [](const AddedVertex& x, const AddedVertex& y) {
+    return compare_lex(x.point, y.point) < 0;
+  });
+  return list;
+}
+
+}  // namespace
+
+/// Merges: the vertices of the graph are in order already.
+Numbering number_vertices(const SectionGraph& graph, std::span<const FaceTriangulation> faces) {
+  const std::vector<AddedVertex> added = added_vertices(faces);
   Numbering numbering;
+  numbering.points.reserve(graph.size() + added.size());
+  numbering.graph_vertex.reserve(graph.size() + added.size());
   numbering.of_graph.resize(graph.size());
   numbering.of_face.resize(faces.size());
   for (std::size_t f = 0; f < faces.size(); ++f)
     numbering.of_face[f].resize(faces[f].vertices.size() + faces[f].added.size());
-  for (const Item& item : items) {
-    const auto number = static_cast<std::uint32_t>(numbering.points.size());
-    numbering.points.push_back(item.point);
-    numbering.graph_vertex.push_back(item.graph_vertex);
-    if (item.graph_vertex != kNone)
-      numbering.of_graph[item.graph_vertex] = number;
-    else
-      numbering.of_face[item.face][item.local] = number;
+  const auto take = [&](const LatticePoint& point, std::uint32_t graph_vertex) {
+    numbering.points.push_back(point);
+    numbering.graph_vertex.push_back(graph_vertex);
+    return static_cast<std::uint32_t>(numbering.points.size() - 1);
+  };
+  auto next = added.begin();
+  const auto take_added = [&] {
+    numbering.of_face[next->face][next->local] = take(next->point, kNone);
+    ++next;
+  };
+  for (std::uint32_t v = 0; v < graph.size(); ++v) {
+    while (next != added.end() && compare_lex(next->point, graph.points[v]) < 0) take_added();
+    numbering.of_graph[v] = take(graph.points[v], v);
   }
+  while (next != added.end()) take_added();
   for (std::size_t f = 0; f < faces.size(); ++f)
     for (std::size_t v = 0; v < faces[f].vertices.size(); ++v)
       numbering.of_face[f][v] = numbering.of_graph[faces[f].vertices[v]];

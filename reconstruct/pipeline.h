@@ -50,6 +50,8 @@ struct Piece {
 struct CellState {
   std::unique_ptr<CellTriangulation> triangulation;  ///< kept only while samples may come
   std::vector<std::array<std::uint32_t, 4>> tets;    ///< kept ones, by final vertex numbers
+  /// In step: the facet glued to each of its facets, as 4 * position of its tetrahedron + slot; kNone elsewhere
+  std::vector<std::array<std::uint32_t, 4>> partners;
   CellReport report;
   double delaunay_seconds = 0, pruning_seconds = 0;
   CellRequests asked;  ///< of other than the user, by final numbers
@@ -59,10 +61,17 @@ struct CellState {
   CellBridges bridges;  ///< mode natural
   std::vector<std::array<std::uint32_t, 4>> roof_tets;
   std::vector<GroundTriangle> ground;  ///< internal triangles that kept tetrahedra stand on
+  std::vector<std::uint32_t> feet;     ///< in step: the facets there; what bridges stand on comes after
   BuiltCell built;                     ///< only for an observer
   PruneResult pruned;
   bool may_branch = false;  ///< samples are wanted if it lacks something
   bool due = true;          ///< to be pruned: not yet done, or its faces have changed
+};
+
+/// The tetrahedra of all cells and what the cells know of their facets.
+struct SolidInCells {
+  std::vector<std::array<std::uint32_t, 4>> tets;
+  KnownFacets known;
 };
 
 /// run() goes through the stages in the order they are declared.
@@ -93,6 +102,7 @@ class Pipeline {
   void take_roofs(std::vector<CellRoofs> roofs);
   // glue_stage.cpp
   Result<Done> glue_cells();
+  SolidInCells solid_in_cells() const;
 
   Result<Done> check_options() const;
   Result<Done> check_input() const;
@@ -160,6 +170,7 @@ class Pipeline {
   std::vector<CellState> cells_;   ///< by cell of the arrangement
   bool samples_may_come_ = false;  ///< cells are pruned to see where branching samples are wanted
   std::vector<std::array<std::uint32_t, 4>> tets_;
+  KnownFacets known_;  ///< of tets_, unless they have been glued
   std::vector<std::array<std::uint32_t, 4>> roof_tets_;  ///< of flat regions
   Reconstruction result_;
 };

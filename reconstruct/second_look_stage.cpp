@@ -164,14 +164,6 @@ std::vector<Told<CavityAnswer>> to_be_opened(std::vector<Told<CavityAnswer>> tol
   return told;
 }
 
-std::vector<std::array<std::uint32_t, 4>> all_tets(std::span<const CellState> cells) {
-  std::vector<std::array<std::uint32_t, 4>> tets;
-  for (const CellState& cell : cells)
-    for (const auto* list : {&cell.tets, &cell.bridge_tets})
-      tets.insert(tets.end(), list->begin(), list->end());
-  return tets;
-}
-
 /// Answers of the cells by piece.
 struct ToldOfAll {
   std::vector<std::vector<Told<BodyAnswer>>> bodies;
@@ -274,9 +266,9 @@ void request_openings(const ToldOfAll& told, std::span<const FaceTriangulation> 
 
 /// What of the solid so far the cells are to be asked about.
 Result<std::vector<Piece>> Pipeline::find_pieces() {
-  const std::vector<std::array<std::uint32_t, 4>> tets = all_tets(cells_);
-  if (tets.empty()) return std::vector<Piece>{};
-  auto glued = glue(tets, context_);
+  SolidInCells solid = solid_in_cells();
+  if (solid.tets.empty()) return std::vector<Piece>{};
+  auto glued = glue(solid.tets, std::move(solid.known), context_);
   if (!glued) return glued.error();
   glued_ = std::make_unique<GluedSurface>(std::move(glued).value());
   SurfacePieces found(*glued_, numbering_.points);

@@ -11,6 +11,7 @@
 #include "prune/energy.h"
 #include "prune/outside.h"
 #include "prune/prune.h"
+#include "prune/solidity.h"
 #include "prune/verify.h"
 
 namespace {
@@ -101,6 +102,23 @@ TEST_CASE("random cells: the result does not depend on the numbers of the tetrah
     CHECK(b.natural.joins == a.natural.joins);
     CHECK(b.natural.domes == a.natural.domes);
   }
+}
+
+TEST_CASE("random cells: with good links and ground everywhere a set is solid") {
+  std::size_t told = 0, solid = 0;
+  for (std::uint32_t seed = 0; seed < 600; ++seed) {
+    CAPTURE(seed);
+    const PlacedCell cell = placed_cell(seed);
+    const PruneResult result = prune_cell(cell, options_for(seed));
+    Flags largest = result.kept;
+    keep_largest_solid_subset(cell.complex, largest);
+    solid += largest == result.kept ? 1U : 0U;
+    if (result.natural.after.bad_links != 0 || !has_ground_everywhere(cell.complex, result.kept)) continue;
+    ++told;
+    CHECK(largest == result.kept);
+  }
+  CHECK(told > 100);
+  CHECK(solid < 600);
 }
 
 TEST_CASE("random cells: what joins two sections is undone by a wish") {

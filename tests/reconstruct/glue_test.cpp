@@ -156,6 +156,35 @@ TEST_CASE("overlapping tetrahedra are refused") {
   CHECK(glue(std::vector<Tet>{{0, 1, 2, 3}, {0, 1, 2, 4}}).error().code == ErrorCode::internal);
 }
 
+TEST_CASE("what is known of the facets does not change the surface") {
+  const Grid grid(5);
+  for (std::uint32_t seed = 0; seed < 60; ++seed) {
+    CAPTURE(seed);
+    std::mt19937 random(seed);
+    std::vector<Tet> tets;
+    for (const Tet& t : grid.tets)
+      if (random() % 10 < 6) tets.push_back(t);
+    KnownFacets known{std::vector<std::uint32_t>(4 * tets.size(), kNone), {}};
+    std::vector<std::uint8_t> loose;
+    for (std::uint32_t t = 0; t < tets.size(); ++t) {
+      loose.push_back(random() % 10 < seed % 4 ? 1 : 0);
+      if (loose[t] != 0) known.loose.push_back(t);
+    }
+    std::map<std::set<std::uint32_t>, std::uint32_t> first;
+    for (std::uint32_t f = 0; f < 4 * tets.size(); ++f) {
+      std::set<std::uint32_t> facet(tets[f / 4].begin(), tets[f / 4].end());
+      facet.erase(tets[f / 4][f % 4]);
+      const auto [other, is_new] = first.emplace(facet, f);
+      if (is_new || loose[f / 4] != 0 || loose[other->second / 4] != 0) continue;
+      known.partner[f] = other->second;
+      known.partner[other->second] = f;
+    }
+    const auto surface = glue(tets, known);
+    REQUIRE(surface.ok());
+    CHECK(same(*surface, checked(tets)));
+  }
+}
+
 TEST_CASE("random subsets of a grid: manifold, right volume, no dependence on the order") {
   const Grid grid(5);
   std::uint64_t split_edges = 0, pinched_edges = 0;
