@@ -285,11 +285,30 @@ Result<Done> Pipeline::fill_cells() {
   return Done{};
 }
 
+/// Out of the cells, with what they know if it is still to be glued.
+void Pipeline::take_tets() {
+  if (!glued_) {
+    SolidInCells solid = solid_in_cells();
+    tets_ = std::move(solid.tets);
+    known_ = std::move(solid.known);
+    return;
+  }
+  std::size_t count = roof_tets_.size();
+  for (CellState& cell : cells_) {
+    cell.partners = {};
+    count += cell.tets.size() + cell.bridge_tets.size();
+  }
+  tets_.reserve(count);
+  for (CellState& cell : cells_)
+    for (auto* list : {&cell.tets, &cell.bridge_tets}) {
+      tets_.insert(tets_.end(), list->begin(), list->end());
+      *list = {};
+    }
+}
+
 void Pipeline::finish_cells() {
   Report& report = result_.report;
-  SolidInCells solid = solid_in_cells();
-  tets_ = std::move(solid.tets);
-  if (!glued_) known_ = std::move(solid.known);
+  take_tets();
   for (std::uint32_t c = 0; c < cells_.size(); ++c) {
     CellState& cell = cells_[c];
     if (cell.report.tets_r0 == 0) continue;
@@ -304,7 +323,7 @@ void Pipeline::finish_cells() {
   for (std::uint32_t i = 0; i < roof_tets_.size(); ++i)
     known_.loose.push_back(static_cast<std::uint32_t>(tets_.size()) + i);
   tets_.insert(tets_.end(), roof_tets_.begin(), roof_tets_.end());
-  known_.partner.resize(4 * tets_.size(), kNone);
+  if (!glued_) known_.partner.resize(4 * tets_.size(), kNone);
   watch_.lap();
 }
 

@@ -379,7 +379,7 @@ bool has_paired_sides(std::uint32_t vertex_count, std::span<const Triple> triang
 
 }  // namespace
 
-Result<GluedSurface> glue(Tets tets, KnownFacets known, const Context& context) {
+Result<PairedBoundary> pair_boundary(Tets tets, KnownFacets known, const Context& context) {
   if (tets.size() >= kBoundaryMark / 4) return failure(ErrorCode::too_large, "2^29 tetrahedra or more");
   std::vector<std::uint32_t>& partner = known.partner;
   if (!known.loose.empty() && !FacetMatcher(tets, partner).run(vertices_of(tets, known.loose)))
@@ -389,11 +389,21 @@ Result<GluedSurface> glue(Tets tets, KnownFacets known, const Context& context) 
   });
   if (!good) return good.error();
   if (context.cancelled()) return failure(ErrorCode::cancelled, "cancelled");
-  const std::vector<Triple> triangles = collect_boundary(tets, partner);
-  const auto mate = pair_sides(tets, partner, triangles, context);
+  PairedBoundary boundary;
+  boundary.triangles = collect_boundary(tets, partner);
+  boundary.mate = pair_sides(tets, partner, boundary.triangles, context);
   if (context.cancelled()) return failure(ErrorCode::cancelled, "cancelled");
-  known = {};
-  return Cutter(triangles, mate).run();
+  return boundary;
+}
+
+GluedSurface cut_apart(const PairedBoundary& boundary) {
+  return Cutter(boundary.triangles, boundary.mate).run();
+}
+
+Result<GluedSurface> glue(Tets tets, KnownFacets known, const Context& context) {
+  const auto boundary = pair_boundary(tets, std::move(known), context);
+  if (!boundary) return boundary.error();
+  return cut_apart(*boundary);
 }
 
 Result<GluedSurface> glue(Tets tets, const Context& context) {

@@ -58,6 +58,18 @@ struct KnownFacets {
 Result<GluedSurface> glue(std::span<const std::array<std::uint32_t, 4>> tets, KnownFacets known,
                           const Context& context = {});
 
+/// The boundary before it is cut apart: triangles with the smallest vertex first, sorted; side 3 t + i leads
+/// from corner i of triangle t to the next one, and mate[side] is the side across its edge, through the solid.
+struct PairedBoundary {
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  std::vector<std::uint32_t> mate;
+};
+
+/// Both halves of glue(): between them the tetrahedra may go, which are most of the memory.
+Result<PairedBoundary> pair_boundary(std::span<const std::array<std::uint32_t, 4>> tets, KnownFacets known,
+                                     const Context& context = {});
+GluedSurface cut_apart(const PairedBoundary& boundary);
+
 /// True iff the triangles form a closed oriented 2-manifold on exactly the vertices 0..vertex_count-1: three
 /// different vertices each, every directed edge once and its reverse once, one cycle of triangles around each
 /// vertex.

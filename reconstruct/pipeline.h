@@ -130,6 +130,7 @@ class Pipeline {
   bool may_take_samples(const CellState& state, std::span<const CellFace> faces) const;
   Result<Done> add_samples();
   Result<CellBranching> branch(CellId id, CellState& state);
+  void take_tets();
   void finish_cells();
 
   std::vector<std::uint8_t> rounded_vertices(const GluedSurface& glued) const;

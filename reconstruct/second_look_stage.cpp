@@ -268,9 +268,10 @@ void request_openings(const ToldOfAll& told, std::span<const FaceTriangulation> 
 Result<std::vector<Piece>> Pipeline::find_pieces() {
   SolidInCells solid = solid_in_cells();
   if (solid.tets.empty()) return std::vector<Piece>{};
-  auto glued = glue(solid.tets, std::move(solid.known), context_);
-  if (!glued) return glued.error();
-  glued_ = std::make_unique<GluedSurface>(std::move(glued).value());
+  const auto boundary = pair_boundary(solid.tets, std::move(solid.known), context_);
+  if (!boundary) return boundary.error();
+  solid.tets = {};
+  glued_ = std::make_unique<GluedSurface>(cut_apart(*boundary));
   SurfacePieces found(*glued_, numbering_.points);
   std::vector<Piece> pieces = found.take();
   if (pieces.empty()) return pieces;
