@@ -12,14 +12,9 @@
 namespace crossloft {
 namespace {
 
-/// Of the cases that README.md lists, joins with other confidences were right.
 constexpr double kSurelyApart = -0.5, kSurelyJoined = 0.05;
 /// How far the function looks, in radii of the cell: a little beyond it, into the planes around.
 constexpr double kReach = 1.1;
-
-bool is_in_doubt(const Join& j) {
-  return j.confidence >= as_integer(kSurelyApart) && j.confidence <= as_integer(kSurelyJoined);
-}
 
 std::optional<SmoothFunction> function_around(const CellShape& shape) {
   Vec3 centre;
@@ -100,11 +95,16 @@ std::vector<Part> list_parts(const CellComplex& complex, const Ground& ground) {
 
 }  // namespace
 
+bool is_in_doubt(std::int32_t confidence) {
+  return confidence >= as_integer(kSurelyApart) && confidence <= as_integer(kSurelyJoined);
+}
+
 std::optional<JoinPlan> plan_joins(const CellComplex& complex, const CellShape& shape, const Ground& ground,
                                    const std::vector<std::uint8_t>& r1, const std::vector<std::uint8_t>& kept,
                                    std::span<const std::int32_t> confidence) {
   const std::vector<Join> possible = find_joins(complex, ground, r1, confidence);
-  if (std::none_of(possible.begin(), possible.end(), is_in_doubt)) return std::nullopt;
+  if (std::none_of(possible.begin(), possible.end(), [](const Join& j) { return is_in_doubt(j.confidence); }))
+    return std::nullopt;
   const auto f = function_around(shape);
   if (!f) return std::nullopt;
   Reached wanted =

@@ -17,6 +17,10 @@
 
 namespace crossloft {
 
+/// Whether a join with this confidence is in doubt. Of the joins that README.md counts, those with others
+/// need no second opinion.
+bool is_in_doubt(std::int32_t confidence);
+
 /// What growth is to do otherwise.
 struct JoinPlan {
   std::vector<JoinWish> wishes;      ///< one for each pair of parts of the sections

@@ -42,11 +42,12 @@ class NaturalPruning {
       measure(r1, true);
       report.joins = find_joins(complex_, ground_, result.kept, confidence_);
     }
-    const bool good = is_good(report, result.kept);
-    if (!joins && (!good || !requests_.joined.empty() || !requests_.questions.empty())) measure(r1, true);
-    const std::vector<std::uint8_t> cheapest = may_doubt() ? result.kept : std::vector<std::uint8_t>{};
+    const bool good = is_good(report, result.kept), doubts = may_doubt();
+    if (!joins && (!good || doubts || !requests_.joined.empty() || !requests_.questions.empty()))
+      measure(r1, true);
+    const std::vector<std::uint8_t> cheapest = doubts ? result.kept : std::vector<std::uint8_t>{};
     if (!good) grow(result, limits_);
-    if (may_doubt()) reconsider(r1, cheapest, result);
+    if (doubts) decide_joins(r1, cheapest, result);
     if (!requests_.joined.empty()) join_alone(r1, result);
     if (!requests_.questions.empty())
       result.answers =
@@ -85,14 +86,15 @@ class NaturalPruning {
                                                     [&](const auto& r) { return is_open(r, kept); }));
   }
 
+  /// Not where the user has decided: of single sections, or by a limit that leaves no doubt.
   bool may_doubt() const {
-    return shape_.field != nullptr && requests_.wishes.empty() && ground_.part_count() > 1;
+    return shape_.field != nullptr && requests_.wishes.empty() && is_in_doubt(limits_.join) &&
+           ground_.part_count() > 1;
   }
 
-  /// Joins in doubt.
-  void reconsider(const std::vector<std::uint8_t>& r1, const std::vector<std::uint8_t>& cheapest,
-                  NaturalResult& result) {
-    measure(r1, true);
+  /// Joins in doubt by the sections around; growth starts again if that changes any.
+  void decide_joins(const std::vector<std::uint8_t>& r1, const std::vector<std::uint8_t>& cheapest,
+                    NaturalResult& result) const {
     const auto plan = plan_joins(complex_, shape_, ground_, r1, result.kept, confidence_);
     if (!plan) return;
     for (std::size_t t = 0; t < r1.size(); ++t) result.kept[t] = cheapest[t] | plan->likely[t];
