@@ -6,6 +6,7 @@
 #include "confidence.h"
 #include "cracks.h"
 #include "energy.h"
+#include "likely_joins.h"
 #include "outside.h"
 #include "star.h"
 
@@ -41,9 +42,12 @@ class NaturalPruning {
       measure(r1, true);
       report.joins = find_joins(complex_, ground_, result.kept, confidence_);
     }
-    const bool good = is_good(report, result.kept);
-    if (!joins && (!good || !requests_.joined.empty() || !requests_.questions.empty())) measure(r1, true);
-    if (!good) grow(result);
+    const bool good = is_good(report, result.kept), doubts = may_doubt();
+    if (!joins && (!good || doubts || !requests_.joined.empty() || !requests_.questions.empty()))
+      measure(r1, true);
+    const std::vector<std::uint8_t> cheapest = doubts ? result.kept : std::vector<std::uint8_t>{};
+    if (!good) grow(result, limits_);
+    if (doubts) decide_joins(r1, cheapest, result);
     if (!requests_.joined.empty()) join_alone(r1, result);
     if (!requests_.questions.empty())
       result.answers =
@@ -82,9 +86,26 @@ class NaturalPruning {
                                                     [&](const auto& r) { return is_open(r, kept); }));
   }
 
-  void grow(NaturalResult& result) const {
+  /// Not where the user has decided: of single sections, or by a limit that leaves no doubt.
+  bool may_doubt() const {
+    return shape_.field != nullptr && requests_.wishes.empty() && is_in_doubt(limits_.join) &&
+           ground_.part_count() > 1;
+  }
+
+  /// Joins in doubt by the sections around; growth starts again if that changes any.
+  void decide_joins(const std::vector<std::uint8_t>& r1, const std::vector<std::uint8_t>& cheapest,
+                    NaturalResult& result) const {
+    const auto plan = plan_joins(complex_, shape_, ground_, r1, result.kept, confidence_);
+    if (!plan) return;
+    for (std::size_t t = 0; t < r1.size(); ++t) result.kept[t] = cheapest[t] | plan->likely[t];
+    GrowthLimits limits = limits_;
+    limits.wishes = plan->wishes;
+    grow(result, limits);
+  }
+
+  void grow(NaturalResult& result, const GrowthLimits& limits) const {
     for (const OpenRequest& request : requests_.opened) drop_unsure(request, result.kept);
-    GrowthResult grown = grow_simply(complex_, ground_, result.kept, confidence_, limits_);
+    GrowthResult grown = grow_simply(complex_, ground_, result.kept, confidence_, limits);
     std::vector<std::uint8_t> before = requests_.opened.empty() ? std::vector<std::uint8_t>{} : grown.kept;
     result.report.after = refill_cracks(complex_, ground_, result.kept, grown.kept);
     if (!before.empty() && count_open(grown.kept) < count_open(before)) {

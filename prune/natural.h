@@ -16,7 +16,8 @@ inline constexpr double kLargestSmoothWeight = 1e9;
 
 /// Confidences are -1..1, the weight 0..kLargestSmoothWeight.
 struct NaturalOptions {
-  double join_confidence = -0.03;  ///< two sections are joined where the best way between them has this
+  double join_confidence = -0.03;  ///< two sections are joined where the best way between them has this;
+                                   ///< what is in doubt (likely_joins.h) the sections around decide
   double dome_confidence = -0.4;   ///< a hole in a section is closed over where the last piece has this
   double alone_confidence = -0.5;  ///< a small body that no cell joins with anything is joined from this on
   double cavity_confidence = 0;    ///< a cavity is opened where a wall is less sure than this, and nothing
@@ -52,8 +53,9 @@ struct NaturalResult {
 
 /// (1) Confidences of the tetrahedra of R1 (confidence.h). (2) The cheapest subset of R1 (energy.h). (3)
 /// Where that has handles, holes, domes or joins that are not sure: growth from the sections within it by
-/// moves that make no handle (simple_growth.h), and its cracks filled. The result depends on the tetrahedra
-/// and vertex numbers alone.
+/// moves that make no handle (simple_growth.h), and its cracks filled. (4) Joins in doubt, if the shape has a
+/// field: decided by it, and growth again where that changes any (likely_joins.h). The result depends on the
+/// tetrahedra and vertex numbers alone.
 NaturalResult prune_naturally(const CellComplex& complex, const CellShape& shape,
                               const std::vector<std::uint8_t>& r1, const NaturalOptions& options,
                               const CellRequests& requests);

@@ -97,6 +97,16 @@ bool SectionRows::contains(Vec3 p) const {
   return inside;
 }
 
+SectionRows rows_of_contour(Vec3 normal, std::span<const std::array<Vec3, 2>> contour) {
+  const int axis = dominant_axis(normal);
+  std::vector<SectionRows::Segment> segments;
+  for (const auto& [a, b] : contour) {
+    const auto from = project(a, axis), to = project(b, axis);
+    segments.push_back({from[0], from[1], to[0], to[1]});
+  }
+  return {axis, std::move(segments)};
+}
+
 std::vector<SectionRows> section_rows(const CellComplex& complex, const Ground& ground,
                                       const CellShape& shape) {
   Contours contours = contours_of(complex, ground, shape);

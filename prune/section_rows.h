@@ -35,6 +35,9 @@ class SectionRows {
   double low_ = 0, high_ = 0, rows_per_unit_ = 0;
 };
 
+/// From the pieces of a contour in space, in the plane with that normal.
+SectionRows rows_of_contour(Vec3 normal, std::span<const std::array<Vec3, 2>> contour);
+
 /// The sections of all faces of a cell that have vertices, from its internal hull triangles.
 /// O(n) for n internal triangles, and what of the contours is in the rows.
 std::vector<SectionRows> section_rows(const CellComplex& complex, const Ground& ground,

@@ -106,8 +106,9 @@ PruneResult Pipeline::prune_built(CellId id, std::span<const FaceId> ids, std::s
   if (options_.mode != PruneMode::natural) return prune(cell.complex, {}, {options_.mode, {}});
   CellRequests requests = by_local_numbers(asked, cell);
   requests.wishes = cell_wishes(options_.joins, faces, cell);
-  return prune(cell.complex, cell_shape(*arrangement_, id, ids, cell, numbering_),
-               {options_.mode, options_.natural}, requests);
+  CellShape shape = cell_shape(*arrangement_, id, ids, cell, numbering_);
+  shape.field = field_.get();
+  return prune(cell.complex, shape, {options_.mode, options_.natural}, requests);
 }
 
 /// Joins by places instead of the cell's vertices.
@@ -263,6 +264,7 @@ Result<Done> Pipeline::add_samples() {
 /// Without samples first: automatic branching looks at what that leaves bare.
 Result<Done> Pipeline::fill_cells() {
   cells_.resize(arrangement_->cell_count());
+  if (options_.mode == PruneMode::natural) field_ = std::make_unique<SectionField>(section_field(graph_));
   const Branching mode = options_.branching.mode;
   samples_may_come_ = mode == Branching::automatic;
   if (auto done = find_branching_cells(); !done) return done;

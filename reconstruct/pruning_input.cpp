@@ -50,6 +50,18 @@ CellShape cell_shape(const Arrangement& arrangement, CellId id, std::span<const 
   return shape;
 }
 
+SectionField section_field(const SectionGraph& graph) {
+  std::vector<FieldPlane> planes;
+  for (std::size_t p = 0; p < graph.planes.size(); ++p) {
+    FieldPlane& plane = planes.emplace_back(FieldPlane{face_plane(graph.planes[p], 1), {}});
+    for (const Wall& wall : graph.walls[p]) {
+      const LatticePoint &a = graph.points[wall.a], &b = graph.points[wall.b];
+      plane.contour.push_back({Vec3{a.x, a.y, a.z}, Vec3{b.x, b.y, b.z}});
+    }
+  }
+  return SectionField(std::move(planes));
+}
+
 CellRequests by_local_numbers(CellRequests requests, const BuiltCell& cell) {
   const auto translate = [&](auto& name) {
     for (std::uint32_t& v : name)

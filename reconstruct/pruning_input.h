@@ -5,8 +5,10 @@
 #include <vector>
 
 #include "../arrangement/complex.h"
+#include "../arrangement/section_graph.h"
 #include "../prune/cell_shape.h"
 #include "../prune/natural.h"
+#include "../prune/section_field.h"
 #include "cell_builder.h"
 #include "join_request.h"
 #include "numbering.h"
@@ -17,6 +19,9 @@ namespace crossloft {
 /// the arrangement's box come after them.
 CellShape cell_shape(const Arrangement& arrangement, CellId id, std::span<const FaceId> faces,
                      const BuiltCell& cell, const Numbering& numbering);
+
+/// All sections in the same coordinates.
+SectionField section_field(const SectionGraph& graph);
 
 /// Requests and questions by local vertices instead of final numbers.
 CellRequests by_local_numbers(CellRequests requests, const BuiltCell& cell);

@@ -63,6 +63,14 @@ TEST_CASE("a torus by ten to forty-five planes is a torus, whatever joint makes 
   }
 }
 
+TEST_CASE("where confidences are in doubt, the sections around a cell tell that a torus goes on") {
+  const Surface mesh = torus(1, 0.4, 96, 48);
+  const Reconstruction r = cut_and_rebuild(mesh, random_planes(bounds_of(mesh.points), 10, 7));
+  const CheckReport report = check_surface(r.surface);
+  CHECK(report.genus == 1);
+  CHECK(report.components.size() == 1);
+}
+
 TEST_CASE("handles that joint makes are gone, and every section is still met") {
   const Surface mesh = genus2_solid(40);
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {

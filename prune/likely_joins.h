@@ -1,0 +1,37 @@
+#pragma once
+/// Joins in doubt, decided by the smoothest function through the sections around the cell.
+///
+/// A confidence looks at one cell. Whether a tube that ends in two sections goes on between them or bends
+/// away shows in the planes beyond, and the function goes on as the sections around do. Sections are one body
+/// where it is positive on a way between them.
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "cell_complex.h"
+#include "cell_shape.h"
+#include "ground.h"
+#include "simple_growth.h"
+
+namespace crossloft {
+
+/// Whether a join with this confidence is in doubt. Of the joins that README.md counts, those with others
+/// need no second opinion.
+bool is_in_doubt(std::int32_t confidence);
+
+/// What growth is to do otherwise.
+struct JoinPlan {
+  std::vector<JoinWish> wishes;      ///< one for each pair of parts of the sections
+  std::vector<std::uint8_t> likely;  ///< tetrahedra on ways between sections to be joined that are not yet
+};
+
+/// Nothing where no join is in doubt by its confidence, the function is not determined, or `kept` joins just
+/// the sections that it would. REQUIRES: confidences of all tetrahedra of R1; the shape has a field.
+/// O(s^3 + n s) for s samples where joins are in doubt, else O(n log n).
+std::optional<JoinPlan> plan_joins(const CellComplex& complex, const CellShape& shape, const Ground& ground,
+                                   const std::vector<std::uint8_t>& r1, const std::vector<std::uint8_t>& kept,
+                                   std::span<const std::int32_t> confidence);
+
+}  // namespace crossloft

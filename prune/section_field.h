@@ -1,0 +1,54 @@
+#pragma once
+/// Signed distances around a cell, from the sections of all planes: what a smooth function is to go through.
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "../geom/box_tree.h"
+#include "cell_shape.h"
+#include "section_rows.h"
+
+namespace crossloft {
+
+/// A point of a plane and its distance to the nearest contour: positive within the section, 0 on a contour.
+struct FieldSample {
+  Vec3 at;
+  double distance = 0;
+};
+
+/// A plane with the pieces of its contours.
+struct FieldPlane {
+  FacePlane plane;
+  std::vector<std::array<Vec3, 2>> contour;
+};
+
+/// All sections of a reconstruction in one unit of length, for any number of cells.
+class SectionField {
+ public:
+  static constexpr std::size_t kMostSamples = 220;
+
+  /// Everything in canonical order. O(n log n) for n pieces of contours.
+  explicit SectionField(std::vector<FieldPlane> planes);
+
+  /// Samples in a ball, kMostSamples at the most: on contours, then on a triangular grid in each plane, as
+  /// dense as that allows and no closer to each other than about half of its step.
+  /// O(k + s^2 + s log n) and what of the sections is in a sample's row, for k planes and s samples.
+  std::vector<FieldSample> samples(Vec3 centre, double radius) const;
+
+ private:
+  struct Grid;
+  bool place(Grid& grid, std::span<const std::uint32_t> pieces) const;
+  bool place_on_contours(Grid& grid, std::span<const std::uint32_t> pieces) const;
+  bool place_on_plane(Grid& grid, std::uint32_t p) const;
+  double distance_to_contours(Vec3 p) const;
+
+  std::vector<FacePlane> planes_;
+  std::vector<SectionRows> sections_;  ///< by plane
+  std::vector<std::array<Vec3, 2>> pieces_;
+  BoxTree tree_;  ///< of the pieces
+};
+
+}  // namespace crossloft
