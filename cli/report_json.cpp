@@ -87,6 +87,7 @@ Json to_json(const Options& o) {
           {"alone_confidence", o.natural.alone_confidence},
           {"cavity_confidence", o.natural.cavity_confidence},
           {"smooth_weight", o.natural.smooth_weight},
+          {"look_around", o.natural.look_around},
           {"branching", branching_name(o.branching.mode)},
           {"cutting", o.branching.cutting},
           {"match_tolerance", o.match_tolerance},

@@ -15,14 +15,15 @@ struct FacePlane {
   double height(Vec3 p) const { return dot(normal, p) + offset; }
 };
 
-class SectionField;
+class LazySectionField;
 
 /// In one unit of length, any; coordinates may be rounded: they decide how good a tetrahedron is, never
 /// what is next to what.
 struct CellShape {
   std::vector<Vec3> points;      ///< by vertex of the complex
   std::vector<FacePlane> faces;  ///< by bit of the face masks; then faces without vertices
-  const SectionField* field = nullptr;  ///< the sections of all planes, if joins in doubt may look at them
+  /// The sections of all planes in the same coordinates, if joins in doubt may look at them.
+  const LazySectionField* field = nullptr;
 };
 
 }  // namespace crossloft

@@ -25,7 +25,7 @@ std::optional<SmoothFunction> function_around(const CellShape& shape) {
   centre = (1 / static_cast<double>(shape.points.size())) * centre;
   double radius = 0;
   for (const Vec3& p : shape.points) radius = std::max(radius, norm(p - centre));
-  return SmoothFunction::through(shape.field->samples(centre, kReach * radius), centre, radius);
+  return SmoothFunction::through(shape.field->get().samples(centre, kReach * radius), centre, radius);
 }
 
 /// Whether the function is above `least` somewhere at the centroid of a tetrahedron or half way to its

@@ -23,6 +23,7 @@ struct NaturalOptions {
   double cavity_confidence = 0;    ///< a cavity is opened where a wall is less sure than this, and nothing
                                    ///< less sure is built there; -1: cavities stay
   double smooth_weight = 1;        ///< of a small surface against a likely volume
+  bool look_around = true;         ///< joins in doubt by the planes around the cell, if its shape has them
 };
 
 /// What happened in a cell.

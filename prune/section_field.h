@@ -4,6 +4,9 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <mutex>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -49,6 +52,22 @@ class SectionField {
   std::vector<SectionRows> sections_;  ///< by plane
   std::vector<std::array<Vec3, 2>> pieces_;
   BoxTree tree_;  ///< of the pieces
+};
+
+/// A field that is made when it is first asked for: large stacks rarely have a join in doubt.
+class LazySectionField {
+ public:
+  explicit LazySectionField(std::function<SectionField()> make) : make_(std::move(make)) {}
+  /// On any thread.
+  const SectionField& get() const {
+    std::call_once(made_, [&] { field_.emplace(make_()); });
+    return *field_;
+  }
+
+ private:
+  std::function<SectionField()> make_;
+  mutable std::once_flag made_;
+  mutable std::optional<SectionField> field_;
 };
 
 }  // namespace crossloft

@@ -264,7 +264,8 @@ Result<Done> Pipeline::add_samples() {
 /// Without samples first: automatic branching looks at what that leaves bare.
 Result<Done> Pipeline::fill_cells() {
   cells_.resize(arrangement_->cell_count());
-  if (options_.mode == PruneMode::natural) field_ = std::make_unique<SectionField>(section_field(graph_));
+  if (options_.mode == PruneMode::natural && options_.natural.look_around)
+    field_ = std::make_unique<LazySectionField>([this] { return section_field(graph_); });
   const Branching mode = options_.branching.mode;
   samples_may_come_ = mode == Branching::automatic;
   if (auto done = find_branching_cells(); !done) return done;

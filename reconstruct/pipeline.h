@@ -12,11 +12,11 @@
 
 #include "../arrangement/data_box.h"
 #include "../geom/parallel.h"
+#include "../prune/section_field.h"
 #include "branching.h"
 #include "bridges.h"
 #include "cell_builder.h"
 #include "glue.h"
-#include "../prune/section_field.h"
 #include "numbering.h"
 #include "observer.h"
 #include "reconstruct.h"
@@ -169,7 +169,7 @@ class Pipeline {
   std::vector<SectionLocator> locators_;          ///< by plane
   std::unique_ptr<LineEdges> line_edges_;
   Numbering numbering_;
-  std::unique_ptr<SectionField> field_;  ///< mode natural
+  std::unique_ptr<LazySectionField> field_;  ///< mode natural
   std::vector<CellState> cells_;   ///< by cell of the arrangement
   bool samples_may_come_ = false;  ///< cells are pruned to see where branching samples are wanted
   std::vector<std::array<std::uint32_t, 4>> tets_;
