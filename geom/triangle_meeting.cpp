@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "double_filters.h"
 #include "predicates.h"
 
 namespace crossloft {
@@ -11,9 +12,12 @@ using Signs = std::array<int, 3>;
 
 constexpr int next(int k) { return k == 2 ? 0 : k + 1; }
 
-/// Side of the triangle's plane; equal corners are the frequent zero and need no arithmetic.
-int side(const Corners& t, const Vec3& p) {
-  return p == t[0] || p == t[1] || p == t[2] ? 0 : orient3d(t[0], t[1], t[2], p);
+/// Side of the triangle's plane; equal corners are the frequent zero and need no arithmetic. The filter is
+/// here so that what it computes of the triangle is shared by three questions.
+inline int side(const Corners& t, const Vec3& p) {
+  if (p == t[0] || p == t[1] || p == t[2]) return 0;
+  const int sign = orient3d_filter(t[0], t[1], t[2], p);
+  return sign != 0 ? sign : orient3d(t[0], t[1], t[2], p);
 }
 
 /// On which side of each edge of t the line pq passes; the same three signs mean through the interior.
@@ -150,6 +154,17 @@ Piercing piercing(const Vec3& p, const Vec3& q, const Corners& t) {
   const auto [low, high] = std::minmax({s[0], s[1], s[2]});
   if (low < 0 && high > 0) return Piercing::misses;
   return product < 0 && low == high ? Piercing::pierces : Piercing::touches;
+}
+
+bool beside(const Corners& t, std::span<const Vec3> points) {
+  int sign = 0;
+  for (const Vec3& p : points) {
+    if (p == t[0] || p == t[1] || p == t[2]) continue;
+    const int s = side(t, p);
+    if (s == 0 || s * sign < 0) return false;
+    sign = s;
+  }
+  return sign != 0;
 }
 
 bool contains(const Corners& t, const Vec3& p) {

@@ -260,9 +260,11 @@ class Separator {
     const auto own = umbrellas_.of(k);
     const auto swept = sweep(k, to);
     std::vector<Bounds> boxes;
+    std::vector<Vec3> places{points_[copies_[k]], to};  // all corners of what is swept
     for (const Swept& s : swept) {
       if (collinear({s.tet[1], s.tet[2], s.tet[3]})) return false;
       boxes.push_back(s.box);
+      places.push_back(s.tet[2]);
     }
     const BoxTree tree(boxes);
     bool free = true;
@@ -274,6 +276,7 @@ class Separator {
       const Corners other = is_own ? Corners{moved[1], moved[2], moved[3]} : corners(t);
       const Bounds box = bounds_of(other);
       if (!is_own && overlap(box, {to, to}) && contains(other, to)) return false;
+      if (!is_own && beside(other, places)) continue;  // as most are, around a vertex of many triangles
       tree.for_overlaps(box, [&](std::uint32_t i) {
         if (!free || own[i] == t) return;
         free = meeting({to, swept[i].tet[2], swept[i].tet[3]}, other) == Meeting::none &&

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <vector>
 
 using namespace crossloft;
 
@@ -49,6 +50,16 @@ TEST_CASE("a triangle that leans on the other's plane with a corner or side does
   }
   CHECK(meeting(kBase, through) == Meeting::none);
   CHECK(meeting(through, {Vec3{1, 0.5, 0}, Vec3{1, 1.5, -0.5}, Vec3{1, 1.5, 0.5}}) == Meeting::crossing);
+}
+
+TEST_CASE("points beside a triangle's plane, corners of it left out") {
+  const double up = std::nextafter(0.0, 1.0);
+  CHECK(beside(kBase, std::vector<Vec3>{{1, 1, up}, {9, 9, 1}}));
+  CHECK(beside(kBase, std::vector<Vec3>{kBase[0], {1, 1, -up}, kBase[2]}));
+  CHECK_FALSE(beside(kBase, std::vector<Vec3>{{1, 1, up}, {9, 9, 0}}));
+  CHECK_FALSE(beside(kBase, std::vector<Vec3>{{1, 1, up}, {9, 9, -up}}));
+  CHECK_FALSE(beside(kBase, std::vector<Vec3>{kBase[0], kBase[1]}));
+  CHECK_FALSE(beside({kBase[0], kBase[0], kBase[1]}, std::vector<Vec3>{{1, 1, 1}}));
 }
 
 TEST_CASE("coplanar triangles in any plane") {
