@@ -158,6 +158,7 @@ Result<Repair> repair_all(const Sections& in, const RepairOptions& options, cons
   for (WorkPlane& p : work.planes) repair_steps::settle_plane(p);
   if (options.agreement) agree(work);
   if (options.loops) repair_steps::straighten_runs(work);
+  if (options.agreement) repair_steps::tell_unmatched(work);
   if (context.cancelled()) return Error{ErrorCode::cancelled, "cancelled", in.source};
   finish(work, in);
   return std::move(work.result);

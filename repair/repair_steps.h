@@ -47,8 +47,11 @@ void repair_loops(Work& work);
 void repair_agreement(Work& work);
 /// Of sections that were changed. True iff there were some.
 bool remove_new_spikes(Work& work);
-/// Last, since points on the grid bend runs.
+/// Late, since points on the grid bend runs.
 void straighten_runs(Work& work);
+/// Crossings without partner, as the reconstruction will find them, of sections that were changed and of
+/// planes that nothing is told of so far.
+void tell_unmatched(Work& work);
 
 /// True iff the vertex of a plane is a crossing with another plane.
 bool on_another_plane(const Work& work, const WorkPlane& plane, Vec3 v);
