@@ -24,9 +24,12 @@ inline void jitter(PlaneSection& plane, Random& random, double size) {
   const Vec3 n = (1 / norm(plane.normal)) * plane.normal;
   const Vec3 middle = bounds_of(plane.vertices).center();
   const double radius = bounds_of(plane.vertices).diagonal() / 2;
-  const Vec3 shift = random.uniform(0, size) * random.direction();
+  // One draw a statement: compilers differ in the order in which they evaluate factors.
+  const Vec3 aside = random.direction();
+  const Vec3 shift = random.uniform(0, size) * aside;
   const double stretch = random.uniform(-size, size) / radius;
-  const Vec3 wave = random.direction(), sway = random.uniform(0, size) * random.direction();
+  const Vec3 wave = random.direction(), along = random.direction();
+  const Vec3 sway = random.uniform(0, size) * along;
   for (Vec3& v : plane.vertices) {
     const double phase = 3 * dot(wave, v - middle) / radius;
     Vec3 d = shift + stretch * (v - middle) + std::sin(phase) * sway;
