@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "double_filters.h"
 #include "predicates.h"
 
 namespace crossloft {
@@ -11,9 +12,12 @@ using Signs = std::array<int, 3>;
 
 constexpr int next(int k) { return k == 2 ? 0 : k + 1; }
 
-/// Side of the triangle's plane; equal corners are the frequent zero and need no arithmetic.
-int side(const Corners& t, const Vec3& p) {
-  return p == t[0] || p == t[1] || p == t[2] ? 0 : orient3d(t[0], t[1], t[2], p);
+/// Side of the triangle's plane; equal corners are the frequent zero and need no arithmetic. The filter is
+/// here so that what it computes of the triangle is shared by three questions.
+inline int side(const Corners& t, const Vec3& p) {
+  if (p == t[0] || p == t[1] || p == t[2]) return 0;
+  const int sign = orient3d_filter(t[0], t[1], t[2], p);
+  return sign != 0 ? sign : orient3d(t[0], t[1], t[2], p);
 }
 
 /// On which side of each edge of t the line pq passes; the same three signs mean through the interior.
@@ -28,6 +32,11 @@ Signs line_sides(const Vec3& p, const Vec3& q, const Corners& t) {
 
 bool all_equal(const Signs& s, int sign) { return s[0] == sign && s[1] == sign && s[2] == sign; }
 bool one_sided(const Signs& s) { return s[0] != 0 && all_equal(s, s[0]); }
+/// On one closed side of a plane, and not all in it.
+bool leans(const Signs& s) {
+  const auto [low, high] = std::minmax({s[0], s[1], s[2]});
+  return low != high && low * high == 0;
+}
 
 bool through_interior(const Vec3& p, const Vec3& q, const Corners& t) {
   return one_sided(line_sides(p, q, t));
@@ -40,29 +49,28 @@ bool edge_pierces(const Corners& a, const Signs& s, const Corners& t) {
   return false;
 }
 
-double with_gap(double x, double extent) {
-  const double y = x + (x < 0 ? -x : x) + extent;
-  return y == x ? 1.0 : y;
-}
-
-/// A point off the triangle's plane into `apex`; false if the corners are collinear. Moving a corner along an
-/// axis leaves the plane unless the normal is orthogonal to the axis, and it can't be so to all three.
-bool off_plane_point(const Corners& t, Vec3& apex) {
-  const Vec3 d = t[1] - t[0], e = t[2] - t[0];
-  const double extent = norm(d) + norm(e);
-  const Vec3& a = t[0];
-  for (const Vec3& moved : {Vec3{with_gap(a.x, extent), a.y, a.z}, Vec3{a.x, with_gap(a.y, extent), a.z},
-                            Vec3{a.x, a.y, with_gap(a.z, extent)}}) {
-    apex = moved;
-    if (orient3d(t[0], t[1], t[2], moved) != 0) return true;
+/// A plane seen along an axis that is not parallel to it: turns of its points need two coordinates only,
+/// which is a fraction of the work of three where points are in one plane and no filter can tell.
+struct PlaneView {
+  int axis = 0;
+  Vec2 seen(const Vec3& p) const {
+    return axis == 0 ? Vec2{p.y, p.z} : axis == 1 ? Vec2{p.z, p.x} : Vec2{p.x, p.y};
   }
+  int turn(const Vec3& p, const Vec3& q, const Vec3& r) const { return orient2d(seen(p), seen(q), seen(r)); }
+};
+
+/// A view of the triangle's plane; false if the corners are collinear, as they are if they look so along all
+/// axes.
+bool find_view(const Corners& t, PlaneView& view) {
+  for (view.axis = 0; view.axis < 3; ++view.axis)
+    if (view.turn(t[0], t[1], t[2]) != 0) return true;
   return false;
 }
 
-/// Some edge of a, counter-clockwise by `turn` seen from `apex`, has all of b on its outer side or on itself.
-bool edge_separates(const Corners& a, const Corners& b, const Vec3& apex, int turn) {
+/// Some edge of a, counter-clockwise by `turn`, has all of b on its outer side or on itself.
+bool edge_separates(const PlaneView& view, const Corners& a, const Corners& b, int turn) {
   for (int k = 0; k < 3; ++k) {
-    const auto inside = [&](const Vec3& p) { return orient3d(a[k], a[next(k)], p, apex) * turn > 0; };
+    const auto inside = [&](const Vec3& p) { return view.turn(a[k], a[next(k)], p) * turn > 0; };
     if (!inside(b[0]) && !inside(b[1]) && !inside(b[2])) return true;
   }
   return false;
@@ -70,17 +78,11 @@ bool edge_separates(const Corners& a, const Corners& b, const Vec3& apex, int tu
 
 /// Open convex polygons are disjoint iff an edge of one separates them.
 bool coplanar_overlap(const Corners& a, const Corners& b) {
-  Vec3 apex;
-  if (!off_plane_point(a, apex)) return false;
-  const int turn_a = orient3d(a[0], a[1], a[2], apex), turn_b = orient3d(b[0], b[1], b[2], apex);
-  return turn_b != 0 && !edge_separates(a, b, apex, turn_a) && !edge_separates(b, a, apex, turn_b);
+  PlaneView view;
+  if (!find_view(a, view)) return false;
+  const int turn_a = view.turn(a[0], a[1], a[2]), turn_b = view.turn(b[0], b[1], b[2]);
+  return turn_b != 0 && !edge_separates(view, a, b, turn_a) && !edge_separates(view, b, a, turn_b);
 }
-
-/// The turns of one plane, seen from a point off it.
-struct PlaneView {
-  Vec3 apex;
-  int turn(const Vec3& p, const Vec3& q, const Vec3& r) const { return orient3d(p, q, r, apex); }
-};
 
 /// Some edge of a has all of b strictly on its outer side. REQUIRES: both turn counter-clockwise.
 bool strictly_separated_by_edge(const PlaneView& view, const Corners& a, const Corners& b) {
@@ -103,7 +105,7 @@ bool angles_meet(const PlaneView& view, const Corners& a, const Corners& b) {
 
 bool coplanar_touch(Corners a, Corners b, int shared) {
   PlaneView view;
-  if (!off_plane_point(a, view.apex)) return true;
+  if (!find_view(a, view)) return true;
   const int turn_a = view.turn(a[0], a[1], a[2]), turn_b = view.turn(b[0], b[1], b[2]);
   if (turn_b == 0) return true;
   if (shared == 2) return turn_a == turn_b;
@@ -128,9 +130,11 @@ bool edge_meets(const Corners& a, const Signs& a_side, const Corners& b, int sha
 
 Meeting meeting(const Corners& a, const Corners& b) {
   const Signs b_side{side(a, b[0]), side(a, b[1]), side(a, b[2])};
-  if (one_sided(b_side)) return Meeting::none;
+  // Leaning on the other's plane a triangle has no inner point in it, so that nothing passes through.
+  if (one_sided(b_side) || leans(b_side)) return Meeting::none;
   if (all_equal(b_side, 0) && coplanar_overlap(a, b)) return Meeting::overlap;
   const Signs a_side{side(b, a[0]), side(b, a[1]), side(b, a[2])};
+  if (one_sided(a_side) || leans(a_side)) return Meeting::none;
   return edge_pierces(b, b_side, a) || edge_pierces(a, a_side, b) ? Meeting::crossing : Meeting::none;
 }
 
@@ -152,19 +156,30 @@ Piercing piercing(const Vec3& p, const Vec3& q, const Corners& t) {
   return product < 0 && low == high ? Piercing::pierces : Piercing::touches;
 }
 
+bool beside(const Corners& t, std::span<const Vec3> points) {
+  int sign = 0;
+  for (const Vec3& p : points) {
+    if (p == t[0] || p == t[1] || p == t[2]) continue;
+    const int s = side(t, p);
+    if (s == 0 || s * sign < 0) return false;
+    sign = s;
+  }
+  return sign != 0;
+}
+
 bool contains(const Corners& t, const Vec3& p) {
   if (p == t[0] || p == t[1] || p == t[2]) return true;
-  Vec3 apex;
-  if (side(t, p) != 0 || !off_plane_point(t, apex)) return false;
-  const int turn = orient3d(t[0], t[1], t[2], apex);
+  PlaneView view;
+  if (side(t, p) != 0 || !find_view(t, view)) return false;
+  const int turn = view.turn(t[0], t[1], t[2]);
   for (int k = 0; k < 3; ++k)
-    if (orient3d(t[k], t[next(k)], p, apex) * turn < 0) return false;
+    if (view.turn(t[k], t[next(k)], p) * turn < 0) return false;
   return true;
 }
 
 bool collinear(const Corners& t) {
-  Vec3 apex;
-  return !off_plane_point(t, apex);
+  PlaneView view;
+  return !find_view(t, view);
 }
 
 }  // namespace crossloft

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 
 #include "vec3.h"
 
@@ -31,6 +32,9 @@ Piercing piercing(const Vec3& p, const Vec3& q, const Corners& triangle);
 /// equal coordinates are common points like any. With a degenerate triangle the answer may be true where they
 /// are apart.
 bool touch(const Corners& a, const Corners& b, int shared);
+/// All points but those that are corners of the triangle are strictly on one side of its plane, and there are
+/// some. The triangle then has nothing in common with their convex hull but corners, and edges between these.
+bool beside(const Corners& triangle, std::span<const Vec3> points);
 /// All corners exactly on one line.
 bool collinear(const Corners& triangle);
 /// p is on the closed triangle. A degenerate one contains its corners only.

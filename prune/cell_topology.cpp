@@ -166,7 +166,7 @@ class CellSurface {
     std::vector<std::uint8_t> doubtful;
     for (const Link link : links_) doubtful.push_back(link == Link::doubtful ? 1 : 0);
     if (std::count(doubtful.begin(), doubtful.end(), 1) != 0)
-      bad += count_bad_links(complex_, kept_, doubtful);
+      bad += census_links(complex_, kept_, doubtful).bad_links();
     return bad;
   }
 

@@ -176,8 +176,10 @@ void count(LinkShape shape, LinkCensus& census) {
   }
 }
 
-LinkCensus census_of(const CellComplex& complex, std::span<const std::uint8_t> kept,
-                     const std::vector<std::uint8_t>& wanted) {
+}  // namespace
+
+LinkCensus census_links(const CellComplex& complex, std::span<const std::uint8_t> kept,
+                        const std::vector<std::uint8_t>& wanted) {
   const Stars stars(complex, kept, wanted);
   ExtendedLink link(complex, kept);
   LinkCensus census;
@@ -192,17 +194,6 @@ LinkCensus census_of(const CellComplex& complex, std::span<const std::uint8_t> k
     }
   }
   return census;
-}
-
-}  // namespace
-
-std::uint32_t count_bad_links(const CellComplex& complex, std::span<const std::uint8_t> kept,
-                              const std::vector<std::uint8_t>& wanted) {
-  return census_of(complex, kept, wanted).bad_links();
-}
-
-LinkCensus census_links(const CellComplex& complex, std::span<const std::uint8_t> kept) {
-  return census_of(complex, kept, std::vector<std::uint8_t>(complex.vertex_count, 1));
 }
 
 }  // namespace crossloft

@@ -16,7 +16,7 @@
 
 namespace crossloft {
 
-/// Numbers of vertices by their extended link; each vertex of the cell is counted once.
+/// Numbers of vertices by their extended link.
 struct LinkCensus {
   std::uint32_t bare = 0;  ///< no kept tetrahedron at the vertex
   std::uint32_t disks = 0;
@@ -28,11 +28,9 @@ struct LinkCensus {
   std::uint32_t bad_links() const { return disconnected + pinched + annular; }
 };
 
-/// O(n log n) with stars sorted locally. REQUIRES: kept.size() == complex.mesh.size().
-LinkCensus census_links(const CellComplex& complex, std::span<const std::uint8_t> kept);
-
-/// The bad links among the vertices v with wanted[v] != 0. O(n), and n log n for the stars of these.
-std::uint32_t count_bad_links(const CellComplex& complex, std::span<const std::uint8_t> kept,
-                              const std::vector<std::uint8_t>& wanted);
+/// Of the vertices v with wanted[v] != 0, once each. O(n), and n log n for the stars of these.
+/// REQUIRES: kept.size() == complex.mesh.size().
+LinkCensus census_links(const CellComplex& complex, std::span<const std::uint8_t> kept,
+                        const std::vector<std::uint8_t>& wanted);
 
 }  // namespace crossloft

@@ -130,11 +130,22 @@ class BridgeFinder {
     return part;
   }
 
-  /// What a bridge takes of the part at facet i; false if the centre or the facet's point lies wrongly.
+  /// A side of the section triangle on the line of another plane, whose section disagrees and does not have
+  /// it.
+  bool has_side_outside(const GapTet& gap, std::uint8_t i) const {
+    const auto& kinds = cell_.complex.edges[gap.tet];
+    for (unsigned e = 0; e < kinds.size(); ++e)
+      if (kinds[e] == EdgeKind::external && facet_contains(i, 4 + e)) return true;
+    return false;
+  }
+
+  /// What a bridge takes of the part at facet i; false if the centre or the facet's point lies wrongly, or a
+  /// side of the facet is outside of a section.
   bool add_part(const GapTet& gap, std::uint8_t i, bool divided, Bridge& bridge) const {
     const Tet whole = part_at(gap.tet, i, bridge.edge);
     if (!is_positive(whole)) return false;
     if (!divided) {
+      if (has_side_outside(gap, i)) return false;
       bridge.pieces.push_back(whole);
       return true;
     }

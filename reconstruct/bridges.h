@@ -40,8 +40,8 @@ struct CellBridges {
 };
 
 /// All broken fans of a cell, with the pieces that would close them. Every orientation is tested exactly: a
-/// gap too thin for the grid has no pieces. Pieces of different bridges of a cell are equal or do not
-/// overlap. O(n log n).
+/// gap too thin for the grid has no pieces, and none has one that ends at a section triangle with a side
+/// outside of another section. Pieces of different bridges of a cell are equal or do not overlap. O(n log n).
 CellBridges find_bridges(const BuiltCell& cell, const std::vector<std::uint8_t>& kept,
                          std::span<const LatticePoint> points);
 

@@ -87,6 +87,7 @@ Result<Done> Pipeline::glue_cells() {
   report_planes();
   report.seconds.gluing = watch_.lap();
   separate(*glued);
+  if (context_.cancelled()) return cancelled();
   report.seconds.separating = watch_.lap();
   return Done{};
 }
@@ -127,10 +128,12 @@ void Pipeline::separate(const GluedSurface& glued) {
   if (options_.separation > 0) effort.longest = options_.separation * framed_.diagonal;
   if (options_.separate)
     take(separate_copies(result_.surface, glued.vertices,
-                         SectionConfinement(graph_, faces_, numbering_, framed_.grid, glued), effort));
+                         SectionConfinement(graph_, faces_, numbering_, framed_.grid, glued), effort,
+                         context_));
   if (options_.separation == 0) return;
   effort.halvings = kHalvings, effort.rounds = kRounds;
-  take(separate_copies(result_.surface, glued.vertices, Anywhere{}, effort));
+  take(separate_copies(result_.surface, glued.vertices, Anywhere{}, effort, context_));
+  if (context_.cancelled()) return;
   report.contacts = find_contacts(result_.surface).size();
   if (report.contacts != 0)
     warn(std::to_string(report.contacts) + " pairs of triangles touch: " +

@@ -79,12 +79,13 @@ class Mender {
       if (is_suspect(t)) suspects.push_back(t), boxes.push_back(bounds_of(corners(t)));
     const BoxTree tree(boxes);
     std::vector<Pair> bad;
+    const auto look_at = [&](std::uint32_t s, std::uint32_t t) {
+      if (is_bad(s, t)) bad.push_back({std::min(s, t), std::max(s, t)});
+    };
+    tree.for_pairs([&](std::uint32_t i, std::uint32_t j) { look_at(suspects[i], suspects[j]); });
     for (std::uint32_t t = 0; t < surface_.triangles.size(); ++t)
-      tree.for_overlaps(bounds_of(corners(t)), [&](std::uint32_t i) {
-        const std::uint32_t s = suspects[i];
-        if (s == t || (s < t && is_suspect(t))) return;
-        if (is_bad(s, t)) bad.push_back({std::min(s, t), std::max(s, t)});
-      });
+      if (!is_suspect(t))
+        tree.for_overlaps(bounds_of(corners(t)), [&](std::uint32_t i) { look_at(suspects[i], t); });
     std::sort(bad.begin(), bad.end());
     return bad;
   }

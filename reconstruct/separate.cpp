@@ -19,28 +19,39 @@ constexpr int kDirectionRounds = 64;
 
 Bounds widened(Bounds box, double by) { return {box.low - Vec3{by, by, by}, box.high + Vec3{by, by, by}}; }
 
+/// What a triangle of an umbrella sweeps: (old place, new place, a, b).
+struct Swept {
+  explicit Swept(const std::array<Vec3, 4>& corners)
+      : tet(corners), box(bounds_of(tet)), turn(orient3d(tet[0], tet[1], tet[2], tet[3])) {}
+
+  std::array<Vec3, 4> tet;
+  Bounds box;
+  int turn;
+};
+
 /// The closed tetrahedron contains p; its corners don't count, and a flat one contains nothing.
-bool holds(const std::array<Vec3, 4>& t, const Vec3& p) {
-  if (!overlap(bounds_of(t), {p, p}) || std::find(t.begin(), t.end(), p) != t.end()) return false;
-  const int turn = orient3d(t[0], t[1], t[2], t[3]);
-  return turn != 0 && orient3d(p, t[1], t[2], t[3]) * turn >= 0 &&
-         orient3d(t[0], p, t[2], t[3]) * turn >= 0 && orient3d(t[0], t[1], p, t[3]) * turn >= 0 &&
-         orient3d(t[0], t[1], t[2], p) * turn >= 0;
+bool holds(const Swept& swept, const Vec3& p) {
+  const auto& t = swept.tet;
+  const int turn = swept.turn;
+  if (turn == 0 || !overlap(swept.box, {p, p}) || std::find(t.begin(), t.end(), p) != t.end()) return false;
+  return orient3d(p, t[1], t[2], t[3]) * turn >= 0 && orient3d(t[0], p, t[2], t[3]) * turn >= 0 &&
+         orient3d(t[0], t[1], p, t[3]) * turn >= 0 && orient3d(t[0], t[1], t[2], p) * turn >= 0;
 }
 
-bool holds_one(const std::array<Vec3, 4>& t, const Corners& corners) {
-  return holds(t, corners[0]) || holds(t, corners[1]) || holds(t, corners[2]);
+bool holds_one(const Swept& swept, const Corners& corners) {
+  return holds(swept, corners[0]) || holds(swept, corners[1]) || holds(swept, corners[2]);
 }
 
 class Separator {
  public:
   Separator(Surface& surface, std::span<const SurfaceVertex> origins, const Confinement& confinement,
-            const SeparationEffort& effort)
+            const SeparationEffort& effort, const Context& context)
       : surface_(surface),
         points_(surface.points),
         origins_(origins),
         confinement_(confinement),
-        effort_(effort) {}
+        effort_(effort),
+        context_(context) {}
 
   Separation run() {
     find_copies();
@@ -49,7 +60,7 @@ class Separator {
     for (std::size_t k = 0; k < copies_.size(); ++k) reach_.push_back(reach(k));
     find_neighbours();
     for (std::size_t k = 0; k < copies_.size(); ++k)
-      if (effort_.rounds == 0 || touches(k)) move(k, direction(k));
+      if (!context_.cancelled() && (effort_.rounds == 0 || touches(k))) move(k, direction(k));
     bool some = true;
     for (int round = 0; round < effort_.rounds && some; ++round) some = move_touching();
     count_touching();
@@ -127,11 +138,9 @@ class Separator {
       moving.push_back(k);
     }
     const BoxTree tree(boxes);
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> found;
+    neighbours_.resize(copies_.size());
     for (std::uint32_t t = 0; t < surface_.triangles.size() && !tree.empty(); ++t)
-      tree.for_overlaps(room_of_triangle(t), [&](std::uint32_t i) { found.emplace_back(moving[i], t); });
-    std::sort(found.begin(), found.end());
-    neighbours_ = Lists(copies_.size(), found);
+      tree.for_overlaps(room_of_triangle(t), [&](std::uint32_t i) { neighbours_[moving[i]].push_back(t); });
   }
 
   /// Normals of the umbrella's triangles, of length 1 and towards the side on which `inside` mostly lies.
@@ -208,7 +217,7 @@ class Separator {
     for (std::size_t k = 0; k < copies_.size(); ++k) {
       if (reach_[k] == 0 || !touches(k)) continue;
       for (const Vec3& d : directions(k))
-        if (is_free_at_first(k, d) && move(k, d)) {
+        if (!context_.cancelled() && is_free_at_first(k, d) && move(k, d)) {
           some = true;
           break;
         }
@@ -236,13 +245,12 @@ class Separator {
     return list;
   }
 
-  /// What the umbrella sweeps on the way to `to`, a tetrahedron for each triangle: (old place, new place, a,
-  /// b).
-  std::vector<std::array<Vec3, 4>> sweep(std::size_t k, const Vec3& to) const {
-    std::vector<std::array<Vec3, 4>> swept;
+  /// What the umbrella sweeps on the way to `to`, triangle by triangle.
+  std::vector<Swept> sweep(std::size_t k, const Vec3& to) const {
+    std::vector<Swept> swept;
     for (const std::uint32_t t : umbrellas_.of(k)) {
       const auto [a, b] = spokes(t, copies_[k]);
-      swept.push_back({points_[copies_[k]], to, points_[a], points_[b]});
+      swept.emplace_back(std::array{points_[copies_[k]], to, points_[a], points_[b]});
     }
     return swept;
   }
@@ -252,22 +260,26 @@ class Separator {
     const auto own = umbrellas_.of(k);
     const auto swept = sweep(k, to);
     std::vector<Bounds> boxes;
-    for (const auto& tet : swept) {
-      if (collinear({tet[1], tet[2], tet[3]})) return false;
-      boxes.push_back(bounds_of(tet));
+    std::vector<Vec3> places{points_[copies_[k]], to};  // all corners of what is swept
+    for (const Swept& s : swept) {
+      if (collinear({s.tet[1], s.tet[2], s.tet[3]})) return false;
+      boxes.push_back(s.box);
+      places.push_back(s.tet[2]);
     }
     const BoxTree tree(boxes);
     bool free = true;
-    for (std::size_t n = 0; free && n < neighbours_.of(k).size(); ++n) {
-      const std::uint32_t t = neighbours_.of(k)[n];
+    for (std::size_t n = 0; free && n < neighbours_[k].size(); ++n) {
+      const std::uint32_t t = neighbours_[k][n];
       const auto at = std::lower_bound(own.begin(), own.end(), t);
       const bool is_own = at != own.end() && *at == t;
-      const auto& moved = swept[is_own ? static_cast<std::size_t>(at - own.begin()) : 0];
+      const auto& moved = swept[is_own ? static_cast<std::size_t>(at - own.begin()) : 0].tet;
       const Corners other = is_own ? Corners{moved[1], moved[2], moved[3]} : corners(t);
-      if (!is_own && contains(other, to)) return false;
-      tree.for_overlaps(bounds_of(other), [&](std::uint32_t i) {
+      const Bounds box = bounds_of(other);
+      if (!is_own && overlap(box, {to, to}) && contains(other, to)) return false;
+      if (!is_own && beside(other, places)) continue;  // as most are, around a vertex of many triangles
+      tree.for_overlaps(box, [&](std::uint32_t i) {
         if (!free || own[i] == t) return;
-        free = meeting({to, swept[i][2], swept[i][3]}, other) == Meeting::none &&
+        free = meeting({to, swept[i].tet[2], swept[i].tet[3]}, other) == Meeting::none &&
                (is_own || !holds_one(swept[i], other));
       });
     }
@@ -290,19 +302,21 @@ class Separator {
   std::span<const SurfaceVertex> origins_;
   const Confinement& confinement_;
   const SeparationEffort& effort_;
+  const Context& context_;
   std::vector<std::uint32_t> number_;  ///< by vertex: its place in copies_, kNone if it has no other copy
   std::vector<std::uint32_t> copies_;  ///< ascending
   Lists umbrellas_;                    ///< by copy
   std::vector<double> reach_;          ///< by copy
-  Lists neighbours_;                   ///< by copy: triangles, ascending
+  std::vector<std::vector<std::uint32_t>> neighbours_;  ///< by copy: triangles, ascending
   Separation result_;
 };
 
 }  // namespace
 
 Separation separate_copies(Surface& surface, std::span<const SurfaceVertex> origins,
-                           const Confinement& confinement, const SeparationEffort& effort) {
-  return Separator(surface, origins, confinement, effort).run();
+                           const Confinement& confinement, const SeparationEffort& effort,
+                           const Context& context) {
+  return Separator(surface, origins, confinement, effort, context).run();
 }
 
 }  // namespace crossloft

@@ -10,6 +10,7 @@
 #include <span>
 
 #include "../geom/bounds.h"
+#include "../geom/context.h"
 #include "glue.h"
 #include "surface.h"
 
@@ -58,8 +59,10 @@ struct Separation {
 /// With `effort` nothing changes but how many ways are tried, and which copies.
 ///
 /// `origins` are those of the surface's points, copies of one point side by side. Expected O(n log m) for n
-/// triangles and m copies that may move. Source: the choice and the tests are our own.
+/// triangles and m copies that may move. Stops early if cancelled. Source: the choice and the tests are our
+/// own.
 Separation separate_copies(Surface& surface, std::span<const SurfaceVertex> origins,
-                           const Confinement& confinement, const SeparationEffort& effort = {});
+                           const Confinement& confinement, const SeparationEffort& effort = {},
+                           const Context& context = {});
 
 }  // namespace crossloft

@@ -23,6 +23,7 @@ namespace {
 // Fractions of the diagonal.
 constexpr double kCoincidence = 1e-9;  ///< planes through one line or point, as in the reconstruction
 constexpr double kOnLine = 4e-9;  ///< a contour vertex this near is on the line: more than a step of the grid
+constexpr double kLift = 4 * kOnLine;   ///< a vertex at this distance is certainly not
 constexpr double kSpacing = 1.0 / 256;  ///< nodes of lines that are contested
 constexpr std::uint32_t kMostRounds = 8;
 
@@ -42,8 +43,8 @@ struct Contradiction {
 
 class Agreement {
  public:
-  Agreement(Work& work, const Context& context) : work_(work), context_(context) {}
-  bool run();
+  explicit Agreement(Work& work) : work_(work) {}
+  void run();
 
  private:
   /// A section with patches in it.
@@ -73,17 +74,18 @@ class Agreement {
   void tell_all_left();
   std::uint32_t lonely_line(std::uint32_t plane, Vec3 at) const;
   bool touches(std::uint32_t plane, Vec3 before, Vec3 at, Vec3 after) const;
+  bool lift(std::uint32_t plane, Vec3 before, Vec3& at, Vec3 after) const;
   bool remove_touches(std::uint32_t plane);
   bool remove_all_touches();
-  void tell_pinches(std::uint32_t plane);
+  void tell_touches(std::uint32_t plane);
   void renew(std::uint32_t plane);
+  bool cancelled() const { return work_.context.cancelled(); }
   RepairChange change_of(const Contradiction& c) const;
   std::string others_of(const Contradiction& c) const;
   WorkPlane& plane(std::uint32_t p) { return work_.planes[order_[p]]; }
   const WorkPlane& plane(std::uint32_t p) const { return work_.planes[order_[p]]; }
 
   Work& work_;
-  const Context& context_;
   std::vector<std::uint32_t> order_;  ///< canonical number of a plane -> position in work_.planes
   std::vector<UnitPlane> planes_;
   std::vector<SectionBoundary> sections_, originals_;  ///< as they are, as they were
@@ -162,7 +164,7 @@ void Agreement::look() {
   traces_.assign(lines_.size(), {});
   targets_.assign(lines_.size(), {});
   contradictions_.clear();
-  for (std::uint32_t l = 0; l < lines_.size(); ++l) look_at_line(l, contested);
+  for (std::uint32_t l = 0; l < lines_.size() && !cancelled(); ++l) look_at_line(l, contested);
 }
 
 /// Contradictions that can only be solved together: misfits of one line that touch, and those of several
@@ -297,13 +299,13 @@ void Agreement::make_patches() {
       continue;
     const PlaneLines in_plane = lines_in(p, std::vector<bool>(contradictions_.size(), false));
     for (Contradiction& c : contradictions_) {
-      if (c.plane != p) continue;
+      if (c.plane != p || cancelled()) continue;
       const auto line = std::find_if(in_plane.lines.begin(), in_plane.lines.end(),
                                      [&](const LineInPlane& l) { return l.line == &lines_[c.line]; });
       c.patch = lens(in_plane, static_cast<std::size_t>(line - in_plane.lines.begin()),
                      targets_[c.line].spans[c.span], setting_.least);
       PlaneSection alone = plane(p).section;
-      edit_section(alone, work_.chart(plane(p)), {&c.patch, 1});
+      edit_section(alone, work_.chart(plane(p)), {&c.patch, 1}, {}, work_.context);
       drop_crumbs(alone, in_plane, 2 * kPush * c.depth());
       const SectionBoundary after(alone, planes_[p], work_.chart(plane(p)));
       c.moved = std::max(c.depth(), largest_distance(sections_[p], after));
@@ -322,7 +324,7 @@ Agreement::Edited Agreement::edited(std::uint32_t p, const std::vector<bool>& be
   }
   const PlaneLines in_plane = lines_in(p, beyond);
   add_plugs(p, in_plane, patches);
-  result.edit = edit_section(result.section, work_.chart(plane(p)), patches);
+  result.edit = edit_section(result.section, work_.chart(plane(p)), patches, {}, work_.context);
   result.pieces = drop_crumbs(result.section, in_plane, result.largest_piece);
   return result;
 }
@@ -428,26 +430,58 @@ std::vector<std::uint32_t> vertices_from(const PlaneSection& s, std::uint32_t fi
   return order;
 }
 
-/// Next to common points lenses are no higher than a step of the grid, and new vertices may come to lie on a
-/// line that the contour does not cross there. The reconstruction would take them for crossings.
-bool Agreement::remove_touches(std::uint32_t p) {
-  PlaneSection& s = plane(p).section;
+std::vector<std::vector<std::uint32_t>> walls_by_vertex(const PlaneSection& s) {
   std::vector<std::vector<std::uint32_t>> walls(s.vertices.size());
   for (std::uint32_t e = 0; e < s.edges.size(); ++e)
     walls[s.edges[e].a].push_back(e), walls[s.edges[e].b].push_back(e);
+  return walls;
+}
+
+std::uint32_t other_end(const ContourEdge& e, std::uint32_t v) { return e.a == v ? e.b : e.a; }
+
+/// Off its line by a few steps of the grid, to the side of a neighbour that is not on it: a contour that
+/// comes over the line at one place and runs along it to another leaves it where it comes. False if both
+/// neighbours are on it, or other lines are near.
+bool Agreement::lift(std::uint32_t p, Vec3 before, Vec3& at, Vec3 after) const {
+  const std::uint32_t l = lonely_line(p, at);
+  const Vec3 aside = cross(planes_[p].normal, lines_[l].direction);
+  const double b = dot(aside, before - at), a = dot(aside, after - at);
+  const double off = std::fabs(a) > std::fabs(b) ? a : b, height = kLift * work_.diagonal;
+  if (std::fabs(off) < 2 * height) return false;
+  for (std::uint32_t k = 0; k < lines_.size(); ++k) {
+    const CommonLine& line = lines_[k];
+    if (k != l && std::binary_search(line.planes.begin(), line.planes.end(), p) &&
+        norm(line.at(line.parameter(at)) - at) < 2 * height)
+      return false;
+  }
+  const PlaneChart chart = work_.chart(plane(p));
+  at = chart.to_space(chart.to_grid(at + (off < 0 ? -height : height) * aside));
+  return true;
+}
+
+/// Next to common points lenses are no higher than a step of the grid, and new vertices may come to lie on a
+/// line that the contour does not cross there; others were crossings of an earlier round. The reconstruction
+/// would take them for crossings. They go if the contour hardly moves, and off the line if not.
+bool Agreement::remove_touches(std::uint32_t p) {
+  PlaneSection& s = plane(p).section;
+  auto walls = walls_by_vertex(s);
   const double least = setting_.least;
+  bool any = false;
   for (const std::uint32_t v : vertices_from(s, plane(p).given)) {
     if (walls[v].size() != 2) continue;
     ContourEdge &e = s.edges[walls[v][0]], &f = s.edges[walls[v][1]];
-    const std::uint32_t u = e.a == v ? e.b : e.a, w = f.a == v ? f.b : f.a;
+    const std::uint32_t u = other_end(e, v), w = other_end(f, v);
     if (u == w || !touches(p, s.vertices[u], s.vertices[v], s.vertices[w])) continue;
-    if (distance_to_segment(s.vertices[u], s.vertices[w], s.vertices[v]) > least) continue;
+    if (distance_to_segment(s.vertices[u], s.vertices[w], s.vertices[v]) > least) {
+      any |= lift(p, s.vertices[u], s.vertices[v], s.vertices[w]);
+      continue;
+    }
     std::replace(walls[w].begin(), walls[w].end(), walls[v][1], walls[v][0]);
     walls[v].clear();
     e.a = u, e.b = w;
     f.a = f.b = v;
   }
-  const bool any = std::erase_if(s.edges, [](const ContourEdge& e) { return e.a == e.b; }) != 0;
+  any |= std::erase_if(s.edges, [](const ContourEdge& e) { return e.a == e.b; }) != 0;
   if (any) renew(p);
   return any;
 }
@@ -459,25 +493,28 @@ bool Agreement::remove_all_touches() {
   return any;
 }
 
-/// New vertices where contours touch each other on a line that no other section is cut at there.
-void Agreement::tell_pinches(std::uint32_t p) {
+/// New vertices on a line that no other section is cut at there, where contours touch each other or the line.
+void Agreement::tell_touches(std::uint32_t p) {
   const PlaneSection& s = plane(p).section;
-  std::vector<std::uint32_t> degree(s.vertices.size(), 0);
-  for (const ContourEdge& e : s.edges) ++degree[e.a], ++degree[e.b];
-  for (const std::uint32_t v : vertices_from(s, plane(p).given))
-    if (degree[v] > 2 && lonely_line(p, s.vertices[v]) != kNone)
-      work_.note({RepairKind::left_as_it_is, plane(p).source, kNone, kNone, 1, 0, s.vertices[v],
-                  "contours touch on a common line: no way was found"});
+  const auto walls = walls_by_vertex(s);
+  for (const std::uint32_t v : vertices_from(s, plane(p).given)) {
+    const bool pinch = walls[v].size() > 2 && lonely_line(p, s.vertices[v]) != kNone;
+    const auto neighbour = [&](std::size_t k) { return s.vertices[other_end(s.edges[walls[v][k]], v)]; };
+    if (!pinch && (walls[v].size() != 2 || !touches(p, neighbour(0), s.vertices[v], neighbour(1)))) continue;
+    work_.note({RepairKind::left_as_it_is, plane(p).source, kNone, kNone, 1, 0, s.vertices[v],
+                pinch ? "contours touch on a common line: no way was found"
+                      : "the contour touches a common line: no way was found"});
+  }
 }
 
 void Agreement::renew(std::uint32_t p) {
   sections_[p] = SectionBoundary(plane(p).section, planes_[p], work_.chart(plane(p)));
 }
 
-bool Agreement::run() {
+void Agreement::run() {
   order_planes();
   for (std::uint32_t round = 0; round < kMostRounds; ++round) {
-    if (context_.cancelled()) return false;
+    if (cancelled()) return;
     look();
     make_patches();
     ++work_.result.rounds;
@@ -487,12 +524,11 @@ bool Agreement::run() {
   make_patches();
   tell_all_left();
   for (std::uint32_t p = 0; p < order_.size(); ++p)
-    if (plane(p).edited) tell_pinches(p);
-  return true;
+    if (plane(p).edited) tell_touches(p);
 }
 
 }  // namespace
 
-bool repair_agreement(Work& work, const Context& context) { return Agreement(work, context).run(); }
+void repair_agreement(Work& work) { Agreement(work).run(); }
 
 }  // namespace crossloft::repair_steps

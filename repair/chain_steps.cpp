@@ -219,12 +219,13 @@ void close_chains(Work& work, WorkPlane& plane) {
 bool remove_new_spikes(Work& work) {
   bool any = false;
   for (WorkPlane& plane : work.planes)
-    if (plane.edited && remove_spikes(work, plane)) any = true;
+    if (plane.edited && !work.context.cancelled() && remove_spikes(work, plane)) any = true;
   return any;
 }
 
 void repair_chains(Work& work) {
   for (WorkPlane& plane : work.planes) {
+    if (work.context.cancelled()) return;
     merge_repeated(work, plane);
     remove_spikes(work, plane);
     close_chains(work, plane);

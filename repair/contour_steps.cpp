@@ -94,7 +94,7 @@ bool straighten_once(Work& work, WorkPlane& plane, std::map<std::uint32_t, Repai
 
 void straighten(Work& work, WorkPlane& plane) {
   std::map<std::uint32_t, RepairChange> changes;
-  while (straighten_once(work, plane, changes)) plane.edited = true;
+  while (!work.context.cancelled() && straighten_once(work, plane, changes)) plane.edited = true;
   for (auto& [contour, change] : changes) {
     change.kind = RepairKind::nearly_straight;
     change.plane = plane.source;
@@ -110,7 +110,7 @@ void straighten(Work& work, WorkPlane& plane) {
 void repair_crossings(Work& work) {
   for (WorkPlane& plane : work.planes) {
     const PlaneChart chart = work.chart(plane);
-    const SectionEdit edit = edit_section(plane.section, chart, {});
+    const SectionEdit edit = edit_section(plane.section, chart, {}, {}, work.context);
     if (!edit.changed) continue;
     plane.edited = true;
     for (const std::uint32_t contour : edit.contours)
@@ -123,7 +123,8 @@ void repair_crossings(Work& work) {
 }
 
 void repair_loops(Work& work) {
-  for (WorkPlane& plane : work.planes) drop_tiny_loops(work, plane);
+  for (WorkPlane& plane : work.planes)
+    if (!work.context.cancelled()) drop_tiny_loops(work, plane);
 }
 
 void straighten_runs(Work& work) {

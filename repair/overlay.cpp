@@ -24,10 +24,10 @@ void toggle(std::vector<std::uint32_t>& layers, std::uint32_t layer) {
     layers.insert(at, layer);
 }
 
-std::vector<Link> links_of(std::span<const OverlaySegment> segments) {
+std::vector<Link> links_of(std::span<const OverlaySegment> segments, const Context& context) {
   std::vector<PlanarSegment> plain;
   for (const OverlaySegment& s : segments) plain.push_back({s.a, s.b});
-  std::vector<SegmentPiece> pieces = snap_round(plain);
+  std::vector<SegmentPiece> pieces = snap_round(plain, context);
   std::stable_sort(pieces.begin(), pieces.end(), [](const SegmentPiece& p, const SegmentPiece& q) {
     return std::pair(std::minmax(p.a, p.b), p.segment) < std::pair(std::minmax(q.a, q.b), q.segment);
   });
@@ -111,13 +111,14 @@ std::vector<Box> boxes_of(const std::vector<Link>& links, std::size_t layers) {
 
 }  // namespace
 
-std::vector<OverlayEdge> overlay(std::span<const OverlaySegment> segments,
-                                 std::span<const LayerKind> layers) {
-  std::vector<Link> links = links_of(segments);
+std::vector<OverlayEdge> overlay(std::span<const OverlaySegment> segments, std::span<const LayerKind> layers,
+                                 const Context& context) {
+  std::vector<Link> links = links_of(segments, context);
   const std::vector<Box> boxes = boxes_of(links, layers.size());
   Sides sides(links, layers);
   std::vector<OverlayEdge> edges;
   for (const Link& l : links) {
+    if (context.cancelled()) return {};
     const bool alone = l.layers == std::vector<std::uint32_t>{0} && layers[0] == LayerKind::section &&
                        std::none_of(boxes.begin(), boxes.end(), [&](const Box& b) { return b.meets(l); });
     if (alone || sides.is_boundary(l))

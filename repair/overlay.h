@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "../geom/context.h"
 #include "planar_lattice.h"
 
 namespace crossloft {
@@ -31,7 +32,8 @@ struct OverlayEdge {
 /// segments were rounded together (snap_rounding.h); every decision is exact. Edges are in the order of their
 /// segments and along them; they meet at ends alone, and every point has an even number of them.
 /// O(n log n) for n segments where a single layer or nothing but sections far from the patches is concerned,
-/// O(n) more for each piece in the box of a patch.
-std::vector<OverlayEdge> overlay(std::span<const OverlaySegment> segments, std::span<const LayerKind> layers);
+/// O(n) more for each piece in the box of a patch. Nothing if cancelled.
+std::vector<OverlayEdge> overlay(std::span<const OverlaySegment> segments, std::span<const LayerKind> layers,
+                                 const Context& context = {});
 
 }  // namespace crossloft

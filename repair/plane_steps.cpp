@@ -172,7 +172,7 @@ void settle_plane(WorkPlane& plane) {
 void repair_planes(Work& work) {
   const double tolerance = work.options.plane_tolerance * work.diagonal;
   for (WorkPlane& plane : work.planes) {
-    if (plane.section.edges.empty()) continue;
+    if (plane.section.edges.empty() || work.context.cancelled()) continue;
     settle_sign(work, plane);
     if (off_plane(plane) <= tolerance) continue;
     fit(work, plane);
@@ -193,7 +193,7 @@ void unite_planes(Work& work) {
   std::sort(order.begin(), order.end(), [&](auto a, auto b) { return key(a) < key(b); });
   std::vector<bool> gone(work.planes.size(), false);
   for (std::size_t i = 0; i < order.size(); ++i) {
-    if (gone[order[i]]) continue;
+    if (gone[order[i]] || work.context.cancelled()) continue;
     WorkPlane& first = work.planes[order[i]];
     std::vector<PlaneSection> others;
     for (std::size_t j = i + 1; j < order.size(); ++j) {
@@ -215,7 +215,7 @@ void unite_planes(Work& work) {
     if (others.empty()) continue;
     std::vector<const PlaneSection*> pointers;
     for (const PlaneSection& s : others) pointers.push_back(&s);
-    first.edited |= edit_section(first.section, work.chart(first), {}, pointers).changed;
+    first.edited |= edit_section(first.section, work.chart(first), {}, pointers, work.context).changed;
   }
   std::size_t p = 0;
   std::erase_if(work.planes, [&](const WorkPlane&) { return gone[p++]; });

@@ -90,17 +90,17 @@ void repair_planes_and_contours(Work& work) {
   if (o.loops) repair_steps::repair_loops(work);
 }
 
-bool agree(Work& work, const Context& context) {
+void agree(Work& work) {
   std::vector<PlaneSection> before;
   for (const WorkPlane& p : work.planes) before.push_back(p.section);
   do {
-    if (!repair_steps::repair_agreement(work, context)) return false;
+    repair_steps::repair_agreement(work);
   } while (work.options.chains && repair_steps::remove_new_spikes(work));
+  if (work.context.cancelled()) return;
   for (std::size_t p = 0; p < before.size(); ++p)
     if (work.planes[p].edited)
       work.result.largest_displacement =
           std::max(work.result.largest_displacement, displacement(work, work.planes[p], before[p]));
-  return true;
 }
 
 void finish(Work& work, const Sections& in) {
@@ -141,7 +141,7 @@ namespace {
 Result<Repair> repair_all(const Sections& in, const RepairOptions& options, const Context& context) {
   if (auto good = check_input(in, options); !good) return good.error();
   const Bounds box = box_of(in);
-  Work work{options, {}, {}, box.diagonal(), {}};
+  Work work{options, context, {}, {}, box.diagonal(), {}};
   if (!(work.diagonal > 0)) {
     finish(work, in);
     work.result.sections = in;
@@ -156,8 +156,10 @@ Result<Repair> repair_all(const Sections& in, const RepairOptions& options, cons
   }
   repair_planes_and_contours(work);
   for (WorkPlane& p : work.planes) repair_steps::settle_plane(p);
-  if (options.agreement && !agree(work, context)) return Error{ErrorCode::cancelled, "cancelled", in.source};
+  if (options.agreement) agree(work);
   if (options.loops) repair_steps::straighten_runs(work);
+  if (options.agreement) repair_steps::tell_unmatched(work);
+  if (context.cancelled()) return Error{ErrorCode::cancelled, "cancelled", in.source};
   finish(work, in);
   return std::move(work.result);
 }

@@ -25,6 +25,7 @@ struct WorkPlane {
 
 struct Work {
   const RepairOptions& options;
+  const Context& context;
   std::vector<WorkPlane> planes;  ///< in the order of the file
   Vec3 middle;                    ///< of the box around all contours
   double diagonal = 0;
@@ -37,18 +38,20 @@ struct Work {
 /// Normal and offset of the plane from its section as it is now.
 void settle_plane(WorkPlane& plane);
 
-// In this order.
+// In this order. Cancelled, a step ends soon and leaves something that is of no use.
 void repair_planes(Work& work);
 void unite_planes(Work& work);
 void repair_chains(Work& work);
 void repair_crossings(Work& work);
 void repair_loops(Work& work);
-/// Returns false if it was cancelled.
-bool repair_agreement(Work& work, const Context& context);
+void repair_agreement(Work& work);
 /// Of sections that were changed. True iff there were some.
 bool remove_new_spikes(Work& work);
-/// Last, since points on the grid bend runs.
+/// Late, since points on the grid bend runs.
 void straighten_runs(Work& work);
+/// Crossings without partner, as the reconstruction will find them, of sections that were changed and of
+/// planes that nothing is told of so far.
+void tell_unmatched(Work& work);
 
 /// True iff the vertex of a plane is a crossing with another plane.
 bool on_another_plane(const Work& work, const WorkPlane& plane, Vec3 v);

@@ -183,13 +183,14 @@ std::vector<ContourEdge> rebuilt_edges(const Layers& layers, const std::vector<O
 }  // namespace
 
 SectionEdit edit_section(PlaneSection& section, const PlaneChart& chart, std::span<const Patch> patches,
-                         std::span<const PlaneSection* const> others) {
+                         std::span<const PlaneSection* const> others, const Context& context) {
   Places places(chart, section);
   Layers layers;
   add_section(layers, section, chart, places);
   for (const PlaneSection* other : others) add_section(layers, *other, chart, places);
   for (const Patch& patch : patches) add_patch(layers, patch, chart, places);
-  const std::vector<OverlayEdge> edges = overlay(layers.segments, layers.kinds);
+  const std::vector<OverlayEdge> edges = overlay(layers.segments, layers.kinds, context);
+  if (context.cancelled()) return {};
   const std::vector<bool> whole = untouched_edges(layers, edges, section, places);
   SectionEdit edit;
   note_changes(layers, edges, whole, section, chart, edit);

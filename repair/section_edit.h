@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "../arrangement/sections.h"
+#include "../geom/context.h"
 #include "overlay.h"
 
 namespace crossloft {
@@ -32,9 +33,9 @@ inline bool is_wall(const ContourEdge& e) { return (e.material_a == 0) != (e.mat
 /// same plane to be united with it. Edges that stay whole keep their place, ends and materials; parts of
 /// edges take over the material; new edges get that of the nearest wall and the contour kNone. Borders
 /// between materials stay where they still end at other edges. Vertices are appended; none is taken away.
-/// Points in one step of the chart become one vertex.
+/// Points in one step of the chart become one vertex. Cancelled, it changes nothing.
 SectionEdit edit_section(PlaneSection& section, const PlaneChart& chart, std::span<const Patch> patches,
-                         std::span<const PlaneSection* const> others = {});
+                         std::span<const PlaneSection* const> others = {}, const Context& context = {});
 
 /// Vertices that no edge names go, the others keep their order; contours are numbered by connected component
 /// in order of first appearance.

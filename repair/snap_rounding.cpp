@@ -28,9 +28,10 @@ BoxTree tree_of(const std::vector<SegmentPiece>& pieces) {
   return BoxTree(boxes);
 }
 
-std::vector<PlanarPoint> crossings_of(const std::vector<SegmentPiece>& pieces) {
+std::vector<PlanarPoint> crossings_of(const std::vector<SegmentPiece>& pieces, const Context& context) {
   std::vector<PlanarPoint> found;
   tree_of(pieces).for_pairs([&](std::uint32_t i, std::uint32_t j) {
+    if (context.cancelled()) return;
     const SegmentPiece &p = pieces[i], &q = pieces[j];
     if (cross(p.a, p.b, q.a, q.b)) found.push_back(crossing_point(p.a, p.b, q.a, q.b));
   });
@@ -89,7 +90,7 @@ class HotPoints {
 
 }  // namespace
 
-std::vector<SegmentPiece> snap_round(std::span<const PlanarSegment> segments) {
+std::vector<SegmentPiece> snap_round(std::span<const PlanarSegment> segments, const Context& context) {
   std::vector<SegmentPiece> pieces;
   std::vector<PlanarPoint> hot;
   for (std::uint32_t s = 0; s < segments.size(); ++s) {
@@ -98,15 +99,18 @@ std::vector<SegmentPiece> snap_round(std::span<const PlanarSegment> segments) {
     if (a != b) pieces.push_back({a, b, s});
   }
   if (pieces.empty()) return pieces;
-  std::vector<PlanarPoint> fresh = crossings_of(pieces);
+  std::vector<PlanarPoint> fresh = crossings_of(pieces, context);
   do {
     hot.insert(hot.end(), fresh.begin(), fresh.end());
     sort_unique(hot);
     const HotPoints points(hot);
     std::vector<SegmentPiece> routed;
-    for (const SegmentPiece& piece : pieces) points.route(piece, routed);
+    for (const SegmentPiece& piece : pieces) {
+      if (context.cancelled()) return pieces;
+      points.route(piece, routed);
+    }
     pieces = std::move(routed);
-    fresh = crossings_of(pieces);
+    fresh = crossings_of(pieces, context);
   } while (!fresh.empty());
   return pieces;
 }

@@ -121,7 +121,6 @@ Verdict judge(const SectionSet& set) {
   verdict.empty = r->surface.triangles.empty();
   const CheckReport check = check_surface(r->surface);
   verdict.crossings = check.crossings;
-  verdict.edges_outside = sections.edges_outside;
   verdict.broken = surface_complaint(*r, check);
   if (verdict.broken.empty()) verdict.broken = section_complaint(*r, sections);
   if (verdict.broken.empty()) verdict.broken = report_complaint(*r);

@@ -15,7 +15,6 @@ struct Verdict {
   bool empty = false;              ///< a result without surface
   // Counted, not promised (README, limits): triangles that cross after rounding.
   std::uint64_t crossings = 0;
-  std::uint64_t edges_outside = 0;  // edges of bridges where sections disagree (section_judge.h)
 };
 
 /// Reconstructs and judges: no internal error; surface closed, oriented, a 2-manifold by index, its volume

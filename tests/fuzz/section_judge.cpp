@@ -26,8 +26,6 @@ void SectionJudge::on_face(const FaceTriangulation& face, const Numbering& numbe
 
 void SectionJudge::on_solid(std::span<const std::array<std::uint32_t, 4>> solid, const Numbering& numbering) {
   points_ = numbering.points;
-  bridge_begin_ =
-      static_cast<std::uint32_t>(numbering.bridge_begin != 0 ? numbering.bridge_begin : points_.size());
   for (const LatticePlane& plane : planes_) {
     std::vector<bool>& on = on_.emplace_back();
     for (const LatticePoint& p : points_) on.push_back(side_of_plane(plane, p) == 0);
@@ -50,15 +48,8 @@ void SectionJudge::judge(const std::array<std::uint32_t, 4>& tet, std::size_t pl
     if (on_[plane][corner]) v.push_back(corner);
   std::sort(v.begin(), v.end());
   Section& section = sections_[plane];
-  if (v.size() == 2 && section.edges.count({v[0], v[1]}) == 0) {
-    // A bridge that ends at a section triangle with an edge on the line of another plane, whose section
-    // disagrees.
-    const bool bridge = *std::max_element(tet.begin(), tet.end()) >= bridge_begin_;
-    if (bridge)
-      ++edges_outside;
-    else
-      complaint_ = "plane " + std::to_string(plane) + ": an edge of the solid lies outside of the section";
-  }
+  if (v.size() == 2 && section.edges.count({v[0], v[1]}) == 0)
+    complaint_ = "plane " + std::to_string(plane) + ": an edge of the solid lies outside of the section";
   if (v.size() != 3) return;
   const auto at = section.covered.find({v[0], v[1], v[2]});
   if (at != section.covered.end())

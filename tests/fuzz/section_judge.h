@@ -25,8 +25,6 @@ class SectionJudge : public Observer {
   const std::string& complaint() const { return complaint_; }
   /// By plane, in input units squared: of all section triangles, and of those that no tetrahedron stands on.
   std::vector<double> section_area, flat_area;
-  /// Edges of bridges in a plane but not in its section: counted, not complained of.
-  std::uint32_t edges_outside = 0;
 
  private:
   using Triangle = std::array<std::uint32_t, 3>;
@@ -45,7 +43,6 @@ class SectionJudge : public Observer {
   std::vector<std::vector<bool>> on_;     ///< [plane][vertex]
   std::span<const LatticePoint> points_;  ///< alive during on_solid
   std::string complaint_;
-  std::uint32_t bridge_begin_ = 0;
 };
 
 }  // namespace crossloft::test

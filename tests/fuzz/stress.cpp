@@ -37,8 +37,7 @@ struct Arguments {
 
 /// What was seen of one kind of set.
 struct Tally {
-  std::uint64_t inputs = 0, refused = 0, too_thin = 0, empty = 0, broken = 0, with_crossings = 0,
-                with_edges = 0;
+  std::uint64_t inputs = 0, refused = 0, too_thin = 0, empty = 0, broken = 0, with_crossings = 0;
   void add(const Verdict& v) {
     ++inputs;
     refused += v.error.has_value();
@@ -46,7 +45,6 @@ struct Tally {
     empty += v.empty;
     broken += !v.broken.empty();
     with_crossings += v.crossings != 0;
-    with_edges += v.edges_outside != 0;
   }
 };
 
@@ -103,20 +101,19 @@ class Stress {
 
   static void print_line(const char* name, const Tally& t) {
     std::printf("%-10s", name);
-    for (const std::uint64_t n :
-         {t.inputs, t.refused, t.too_thin, t.empty, t.with_crossings, t.with_edges, t.broken})
+    for (const std::uint64_t n : {t.inputs, t.refused, t.too_thin, t.empty, t.with_crossings, t.broken})
       std::printf(" %9llu", static_cast<unsigned long long>(n));
     std::printf("\n");
   }
 
   bool print() const {
     Tally all;
-    std::printf("%-10s %9s %9s %9s %9s %9s %9s %9s\n", "planes", "inputs", "refused", "too thin", "empty",
-                "crossings", "edges", "broken");
+    std::printf("%-10s %9s %9s %9s %9s %9s %9s\n", "planes", "inputs", "refused", "too thin", "empty",
+                "crossings", "broken");
     for (const auto& [name, t] : tallies_) {
       print_line(name.c_str(), t);
       all.inputs += t.inputs, all.refused += t.refused, all.too_thin += t.too_thin, all.empty += t.empty;
-      all.with_crossings += t.with_crossings, all.with_edges += t.with_edges, all.broken += t.broken;
+      all.with_crossings += t.with_crossings, all.broken += t.broken;
     }
     print_line("all", all);
     std::printf("slowest: input %llu, %.3f s\n", static_cast<unsigned long long>(slowest_input_), slowest_);

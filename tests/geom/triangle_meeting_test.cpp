@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <vector>
 
 using namespace crossloft;
 
@@ -36,6 +37,47 @@ TEST_CASE("triangles that share a corner or side do not cross there, but beyond 
   CHECK(meeting(kBase, {kBase[0], Vec3{-1, 1, 1}, Vec3{-1, 1, -1}}) == Meeting::none);
   CHECK(meeting(kBase, {kBase[0], kBase[1], Vec3{1, 1, 5}}) == Meeting::none);
   CHECK(meeting(kBase, {kBase[0], kBase[1], Vec3{1, -1, 0}}) == Meeting::none);
+}
+
+TEST_CASE("a triangle that leans on the other's plane with a corner or side does not pass through") {
+  const Corners corner{Vec3{1, 1, 0}, Vec3{1, 1, 1}, Vec3{2, 1, 1}};
+  const Corners side{Vec3{1, 1, 0}, Vec3{2, 1, 0}, Vec3{1, 1, 1}};
+  const Corners through{Vec3{0.5, 1, 0}, Vec3{3, 1, 0}, Vec3{0.5, 1, -1}};
+  for (const Corners& leaning : {corner, side}) {
+    CHECK(meeting(kBase, leaning) == Meeting::none);
+    CHECK(meeting(leaning, kBase) == Meeting::none);
+    CHECK(meeting(through, leaning) == Meeting::none);
+  }
+  CHECK(meeting(kBase, through) == Meeting::none);
+  CHECK(meeting(through, {Vec3{1, 0.5, 0}, Vec3{1, 1.5, -0.5}, Vec3{1, 1.5, 0.5}}) == Meeting::crossing);
+}
+
+TEST_CASE("points beside a triangle's plane, corners of it left out") {
+  const double up = std::nextafter(0.0, 1.0);
+  CHECK(beside(kBase, std::vector<Vec3>{{1, 1, up}, {9, 9, 1}}));
+  CHECK(beside(kBase, std::vector<Vec3>{kBase[0], {1, 1, -up}, kBase[2]}));
+  CHECK_FALSE(beside(kBase, std::vector<Vec3>{{1, 1, up}, {9, 9, 0}}));
+  CHECK_FALSE(beside(kBase, std::vector<Vec3>{{1, 1, up}, {9, 9, -up}}));
+  CHECK_FALSE(beside(kBase, std::vector<Vec3>{kBase[0], kBase[1]}));
+  CHECK_FALSE(beside({kBase[0], kBase[0], kBase[1]}, std::vector<Vec3>{{1, 1, 1}}));
+}
+
+TEST_CASE("coplanar triangles in any plane") {
+  // Seen along an axis that the plane is parallel to they would be flat.
+  for (const Vec3& u : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}, Vec3{1, 1, 0}, Vec3{3, -1, 2}})
+    for (const Vec3& v : {Vec3{0, 1, 0}, Vec3{0, 0, 1}, Vec3{1, 0, 0}, Vec3{0, 1, -1}, Vec3{1, 4, 1}}) {
+      if (cross(u, v) == Vec3{}) continue;
+      const auto at = [&](double a, double b) { return a * u + b * v; };
+      const Corners base{at(0, 0), at(4, 0), at(0, 4)};
+      CHECK_FALSE(collinear(base));
+      CHECK(collinear({at(0, 0), at(1, 1), at(3, 3)}));
+      CHECK(contains(base, at(2, 2)));
+      CHECK_FALSE(contains(base, at(2, 3)));
+      CHECK(meeting(base, {at(1, 1), at(9, 1), at(1, 9)}) == Meeting::overlap);
+      CHECK(meeting(base, {at(4, 0), at(4, 4), at(0, 4)}) == Meeting::none);
+      CHECK(touch(base, {at(2, 2), at(4, 4), at(2, 4)}, 0));
+      CHECK_FALSE(touch(base, {at(3, 3), at(4, 4), at(3, 4)}, 0));
+    }
 }
 
 TEST_CASE("coplanar triangles overlap or touch") {

@@ -3,6 +3,7 @@
 
 #include "../../inspect/check.h"
 #include "../arrangement/polygon_sections.h"
+#include "../fuzz/section_judge.h"
 #include "shown.h"
 
 using namespace crossloft;
@@ -280,5 +281,25 @@ TEST_CASE("bridges are for natural alone, and the same for any number of threads
       REQUIRE(two.ok());
       CHECK(hash(*two) == hash(one));
     }
+  }
+}
+
+// The upright section ends half way across the disks: beyond, its plane has none of the common line, and the
+// disks have. Bridges that ended at a triangle with its side there put that side into the solid.
+TEST_CASE("where sections disagree on a common line, no edge of the solid is outside of one") {
+  for (const double reach : {0.0, 0.5}) {
+    CAPTURE(reach);
+    Sections sections{"", {disk({0, 0, 1}, {0, 0, 0}, 1, 12), disk({0, 0, 1}, {0, 0, 1}, 1, 12)}};
+    sections.planes.push_back(plane_at({1, 0, 0}, {0.1, 0, 0}));
+    add_contour(sections.planes.back(),
+                {{0.1, -1, -0.5}, {0.1, reach, -0.5}, {0.1, reach, 1.5}, {0.1, -1, 1.5}});
+    SectionJudge judge;
+    const auto r = reconstruct(sections, {}, {}, &judge);
+    REQUIRE(r.ok());
+    REQUIRE(r->report.unmatched.size() == 8);
+    CHECK(judge.complaint() == "");
+    CHECK(r->report.topology.open_edges == 8);
+    CHECK(r->report.flat_area > 0);
+    CHECK(r->report.flat_area < 0.15 * r->report.section_area);
   }
 }

@@ -2,6 +2,7 @@
 
 #include "../../reconstruct/separate.h"
 
+#include <atomic>
 #include <numeric>
 #include <random>
 
@@ -94,10 +95,11 @@ Separation checked(Cut& cut, const Confinement& confinement = Anywhere{}) {
   return s;
 }
 
-const std::vector<Vec3> kCubeCorners{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {-1, 0, 0}, {0, -1, 0}, {0, 0, -1}};
+const std::vector<Vec3> kCubeCorners{{0, 0, 0},  {1, 0, 0},  {0, 1, 0}, {0, 0, 1},
+                                     {-1, 0, 0}, {0, -1, 0}, {0, 0, -1}};
 
-/// Points of an n x n x n grid, a little off it so that few are coplanar, its cubes cut into six tetrahedra each
-/// (Kuhn).
+/// Points of an n x n x n grid, a little off it so that few are coplanar, its cubes cut into six tetrahedra
+/// each (Kuhn).
 struct Grid {
   std::vector<Vec3> points;
   std::vector<Tet> tets;
@@ -171,7 +173,8 @@ TEST_CASE("an annular link: two voids that touch at a vertex inside the solid sh
   CHECK(after.surface.volume > volume);
 }
 
-// Every other tetrahedron around the edge 0-1 is missing, but its ends are wrapped up all around (glue_test.cpp).
+// Every other tetrahedron around the edge 0-1 is missing, but its ends are wrapped up all around
+// (glue_test.cpp).
 TEST_CASE("midpoints of a split edge draw back into their wedges") {
   std::vector<Vec3> points{{0, 0, 1}, {0, 0, -1}};
   const Vec3 hexagon[] = {{2, 0, 0}, {1, 2, 0}, {-1, 2, 0}, {-2, 0, 0}, {-1, -2, 0}, {1, -2, 0}};
@@ -189,6 +192,22 @@ TEST_CASE("midpoints of a split edge draw back into their wedges") {
   const Separation s = checked(cut);
   CHECK(s.separated == 3 + 3 * 2);
   CHECK(s.touching == 0);
+}
+
+TEST_CASE("a raised cancel flag leaves all copies where they are") {
+  const std::atomic<bool> cancel{true};
+  Context context;
+  context.cancel = &cancel;
+  SeparationEffort hard;
+  hard.rounds = 8;
+  for (const SeparationEffort& effort : {SeparationEffort{}, hard}) {
+    Cut cut = cut_apart(kCubeCorners, {{0, 1, 2, 3}, {0, 5, 4, 6}});
+    const std::vector<Vec3> before = cut.surface.points;
+    const Separation s = separate_copies(cut.surface, cut.origins, Anywhere{}, effort, context);
+    CHECK(s.separated == 0);
+    CHECK(s.touching == 1);
+    CHECK(cut.surface.points == before);
+  }
 }
 
 TEST_CASE("what is in the way shortens the step, or undoes it") {
@@ -245,8 +264,9 @@ TEST_CASE("random subsets of a grid: no crossing appears, most contacts go") {
       touching += checked(cut).touching;
       welded_after += judge(cut.surface).welded.nonmanifold_vertices;
     }
-    MESSAGE("off grid by " << off << ": " << copies << " copies, " << touching << " left; vertices not manifold when welded "
-                           << welded_before << " -> " << welded_after);
+    MESSAGE("off grid by " << off << ": " << copies << " copies, " << touching
+                           << " left; vertices not manifold when welded " << welded_before << " -> "
+                           << welded_after);
     CHECK(copies > 1000);
     CHECK(touching < copies / 4);
     CHECK(welded_after < welded_before / 4);
@@ -268,7 +288,8 @@ TEST_CASE("solids by planes: sections stay, contacts go, threads and --keep-touc
     for (std::uint64_t seed = 1; seed <= 4; ++seed) {
       CAPTURE(std::string(scene.name));
       CAPTURE(seed);
-      const auto sections = slice(scene.mesh, random_planes(bounds_of(scene.mesh.points), scene.planes, seed));
+      const auto sections =
+          slice(scene.mesh, random_planes(bounds_of(scene.mesh.points), scene.planes, seed));
       REQUIRE(sections.ok());
       Options apart;
       apart.mode = PruneMode::joint;  // most of its copies carry no contour edge and can move
@@ -310,8 +331,8 @@ TEST_CASE("solids by planes: sections stay, contacts go, threads and --keep-touc
       welded_before += was.welded.nonmanifold_vertices;
       welded_after += is.welded.nonmanifold_vertices;
     }
-  MESSAGE(copies << " copies, " << left << " left; vertices not manifold when welded " << welded_before << " -> "
-                 << welded_after);
+  MESSAGE(copies << " copies, " << left << " left; vertices not manifold when welded " << welded_before
+                 << " -> " << welded_after);
   CHECK(copies > 50);
   CHECK(left < copies / 2);
   CHECK(welded_after < welded_before / 2);

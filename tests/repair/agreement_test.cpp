@@ -162,6 +162,54 @@ TEST_CASE("a pencil of planes agrees on its axis") {
   check_agrees(repair.sections);
 }
 
+// Crossings of an earlier round stayed on the line, next to those of a later one: the contour came over the
+// line, ran along it and left it there. The reconstruction found one and two crossings without partner, the
+// repair nothing.
+TEST_CASE("contours that cross a line do not run along it afterwards") {
+  for (const std::uint64_t k : {159, 191}) {
+    CAPTURE(k);
+    const Repair repair = repaired(disturbed_set(k));
+    CHECK(repair.left == 0);
+    check_agrees(repair.sections);
+  }
+}
+
+TEST_CASE("where contours stay touching on a line it is told") {
+  const Repair repair = repaired(disturbed_set(104));
+  const Built built = build(repair.sections);
+  REQUIRE(built.graph.ok());
+  REQUIRE(built.graph->statistics.unmatched.size() == 1);
+  REQUIRE(repair.left == 1);
+  const LatticePoint& at = built.graph->statistics.unmatched[0].point;
+  const RepairChange& left = *std::find_if(repair.changes.begin(), repair.changes.end(),
+                                           [](auto& c) { return c.kind == RepairKind::left_as_it_is; });
+  CHECK(norm(built.framed.grid.from_lattice(at) - left.point) < 1e-7);
+}
+
+// Where planes may disagree by more than the reconstruction will match, no step sees anything to do.
+TEST_CASE(
+    "a crossing that the reconstruction can't match is told, whatever tolerance hides it from the repair") {
+  Sections sections{"", {plane_at({0, 0, 1}, {0, 0, 0}), plane_at({1, 0, 0}, {0, 0, 0})}};
+  add_contour(sections.planes[0], square(0, 0, 0, 1));
+  add_contour(sections.planes[1], {{0, -1, -1}, {0, 0.97, -1}, {0, 0.97, 1}, {0, -1, 1}});
+  RepairOptions options;
+  options.agree = 0.05;
+  const auto untouched = repair_sections(sections, options);
+  REQUIRE(untouched.ok());
+  CHECK(untouched->changes.size() == 0);
+  sections.planes[0].vertices.push_back(sections.planes[0].vertices[0]);  // two vertices in one place
+  sections.planes[0].edges[0].a = 4;
+  sections.planes[0].edges.push_back({0, 4, 1, 0, 0, 0});
+  const auto repair = repair_sections(sections, options);
+  REQUIRE(repair.ok());
+  const Built built = build(repair->sections);
+  REQUIRE(built.graph.ok());
+  CHECK(built.graph->statistics.unmatched.size() == 2);
+  CHECK(repair->left == 1);  // the second is of the same planes
+  CHECK(repair->changes.back().kind == RepairKind::left_as_it_is);
+  CHECK(repair->changes.back().text.find("crosses plane") != std::string::npos);
+}
+
 TEST_CASE("a section that does not reach the line is extended to it, or the other taken back") {
   // The square on z = 0 stops short of the plane x = 1, whose section crosses z = 0 by a little or by much.
   for (const double deep : {0.05, 0.6}) {

@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <map>
 #include <set>
@@ -119,6 +120,27 @@ TEST_CASE("after snap rounding pieces meet at grid points alone, and rounding ag
     for (const SegmentPiece& p : pieces) again.push_back({p.a, p.b});
     CHECK(snap_round(again).size() == again.size());
   }
+}
+
+TEST_CASE("a raised flag ends the rounding, and an edit changes nothing then") {
+  const std::atomic<bool> cancel{true};
+  Context context;
+  context.cancel = &cancel;
+  const std::vector<PlanarSegment> crossed{{PlanarPoint{0, 0}, PlanarPoint{8, 8}},
+                                           {PlanarPoint{0, 8}, PlanarPoint{8, 0}}};
+  CHECK(snap_round(crossed).size() == 4);
+  CHECK(snap_round(crossed, context).size() == 2);
+  std::vector<OverlaySegment> segments;
+  for (const PlanarSegment& s : crossed) segments.push_back({s[0], s[1], 0});
+  CHECK(overlay(segments, std::vector{LayerKind::section}, context).empty());
+  PlaneSection section = disk({0, 0, 1}, {0, 0, 0}, 1, 12);
+  const PlaneSection before = section;
+  const Patch patch{LayerKind::added, {{0.5, 0, 0}, {2, -0.1, 0}, {2, 0.1, 0}}, std::vector<bool>(3, false)};
+  const PlaneChart chart({0, 0, 1}, 0, {0, 0, 0}, 4);
+  CHECK_FALSE(edit_section(section, chart, {&patch, 1}, {}, context).changed);
+  CHECK(section.vertices == before.vertices);
+  CHECK(section.edges.size() == before.edges.size());
+  CHECK(edit_section(section, chart, {&patch, 1}).changed);
 }
 
 TEST_CASE("an overlay is inside where its layers say so") {

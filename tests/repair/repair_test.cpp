@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -309,6 +310,19 @@ TEST_CASE("each step can be switched off") {
   CHECK(repaired(dirty, none).changes.size() == 0);
   none.loops = true;
   CHECK(repaired(dirty, none).changes.size() == 1);
+}
+
+TEST_CASE("a raised cancel flag ends the work, whatever steps there are") {
+  const std::atomic<bool> cancel{true};
+  Context context;
+  context.cancel = &cancel;
+  for (const bool agreement : {true, false}) {
+    RepairOptions options;
+    options.agreement = agreement;
+    const auto repair = repair_sections({"", {disk({0, 0, 1}, {0, 0, 0}, 1, 12)}}, options, context);
+    REQUIRE_FALSE(repair.ok());
+    CHECK(repair.error().code == ErrorCode::cancelled);
+  }
 }
 
 TEST_CASE("what no repair can read is an error") {
