@@ -88,8 +88,8 @@ class NaturalPruning {
 
   /// Not where the user has decided: of single sections, or by a limit that leaves no doubt.
   bool may_doubt() const {
-    return shape_.field != nullptr && requests_.wishes.empty() && is_in_doubt(limits_.join) &&
-           ground_.part_count() > 1;
+    return options_.look_around && shape_.field != nullptr && requests_.wishes.empty() &&
+           is_in_doubt(limits_.join) && ground_.part_count() > 1;
   }
 
   /// Joins in doubt by the sections around; growth starts again if that changes any.
