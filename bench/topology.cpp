@@ -2,7 +2,7 @@
 // sets of planes, all contour vertices kept, reconstructs in every mode and compares with the mesh that was
 // cut.
 //
-//   bench_topology [--seeds N] [--case TEXT] [--rays N] [--verbose] [MODE...]
+//   bench_topology [--seeds N] [--case TEXT] [--rays N] [--look-around] [--verbose] [MODE...]
 //                  default: 10 seeds, all cases, 128 rays, modes joint and natural
 //
 // A run is right if its genus (summed) and its number of surface components are those of the mesh. Per case
@@ -197,7 +197,9 @@ bool read_arguments(int count, char** words, Arguments& arguments) {
   for (int i = 1; i < count; ++i) {
     const std::string word = words[i];
     const bool last = i + 1 == count;
-    if (word == "--verbose") {
+    if (word == "--look-around") {
+      arguments.options.natural.look_around = true;
+    } else if (word == "--verbose") {
       arguments.verbose = true;
     } else if (word == "--seeds" && !last) {
       arguments.seeds = std::strtoull(words[++i], nullptr, 10);
@@ -220,7 +222,7 @@ int main(int count, char** words) {
   Arguments arguments;
   if (!read_arguments(count, words, arguments)) {
     std::fprintf(stderr,
-                 "usage: bench_topology [--seeds N] [--case TEXT] [--rays N] [--verbose] [MODE...]\n");
+                 "usage: bench_topology [--seeds N] [--case TEXT] [--rays N] [--look-around] [--verbose] [MODE...]\n");
     return 2;
   }
   for (const Case& c : all_cases())

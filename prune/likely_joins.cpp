@@ -19,6 +19,10 @@ constexpr double kReach = 1.1;
 /// nothing where it is undecided itself.
 constexpr double kLeastWhereKept = -0.01;
 
+/// With more sections in a cell they are small against it, and the samples too far apart to tell them from
+/// what is around; and there is a wish for each pair.
+constexpr std::size_t kMostParts = 8;
+
 std::optional<SmoothFunction> function_around(const CellShape& shape) {
   Vec3 centre;
   for (const Vec3& p : shape.points) centre = centre + p;
@@ -97,6 +101,19 @@ std::vector<Part> list_parts(const CellComplex& complex, const Ground& ground) {
   return parts;
 }
 
+/// Whether parts that are surely one body by their confidence are so in `wanted`: else the function does not
+/// see what it is to decide. A join has the name of one part of each of two bodies, its smallest vertex.
+bool sees_sure_joins(std::span<const Join> possible, std::span<const Part> parts, Reached& wanted) {
+  const auto body = [&](std::uint32_t name) {
+    const auto part =
+        std::find_if(parts.begin(), parts.end(), [&](const Part& p) { return p.vertices.front() == name; });
+    return wanted.parts.find(part->number);
+  };
+  return std::all_of(possible.begin(), possible.end(), [&](const Join& j) {
+    return j.confidence <= as_integer(kSurelyJoined) || body(j.a) == body(j.b);
+  });
+}
+
 }  // namespace
 
 bool is_in_doubt(std::int32_t confidence) {
@@ -109,13 +126,15 @@ std::optional<JoinPlan> plan_joins(const CellComplex& complex, const CellShape& 
   const std::vector<Join> possible = find_joins(complex, ground, r1, confidence);
   if (std::none_of(possible.begin(), possible.end(), [](const Join& j) { return is_in_doubt(j.confidence); }))
     return std::nullopt;
+  const std::vector<Part> parts = list_parts(complex, ground);
+  if (parts.size() > kMostParts) return std::nullopt;
   const auto f = function_around(shape);
   if (!f) return std::nullopt;
   Reached wanted = reach(complex, ground, [&](std::uint32_t t) {
     return r1[t] != 0 && is_likely(complex, shape, *f, kept[t] != 0 ? kLeastWhereKept : 0, t);
   });
+  if (!sees_sure_joins(possible, parts, wanted)) return std::nullopt;
   Reached found = reach(complex, ground, [&](std::uint32_t t) { return kept[t] != 0; });
-  const std::vector<Part> parts = list_parts(complex, ground);
   JoinPlan plan;
   bool lacks = false, differs = false;
   for (auto a = parts.begin(); a != parts.end(); ++a)

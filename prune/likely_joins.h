@@ -27,9 +27,10 @@ struct JoinPlan {
   std::vector<std::uint8_t> likely;  ///< tetrahedra on ways between sections to be joined that are not yet
 };
 
-/// Nothing where no join is in doubt by its confidence, the function is not determined, or `kept` joins just
-/// the sections that it would. REQUIRES: confidences of all tetrahedra of R1; the shape has a field.
-/// O(s^3 + n s) for s samples where joins are in doubt, else O(n log n).
+/// Nothing where no join is in doubt by its confidence, there are too many sections, the function is not
+/// determined or parts what is surely joined, or `kept` joins just the sections that it would. REQUIRES:
+/// confidences of all tetrahedra of R1; the shape has a field.
+/// Where joins are in doubt O(s^3 + n s) for s samples, and what these take; else O(n log n).
 std::optional<JoinPlan> plan_joins(const CellComplex& complex, const CellShape& shape, const Ground& ground,
                                    const std::vector<std::uint8_t>& r1, const std::vector<std::uint8_t>& kept,
                                    std::span<const std::int32_t> confidence);

@@ -16,14 +16,14 @@ inline constexpr double kLargestSmoothWeight = 1e9;
 
 /// Confidences are -1..1, the weight 0..kLargestSmoothWeight.
 struct NaturalOptions {
-  double join_confidence = -0.03;  ///< two sections are joined where the best way between them has this;
-                                   ///< what is in doubt (likely_joins.h) the sections around decide
+  double join_confidence = -0.03;  ///< two sections are joined where the best way between them has this
   double dome_confidence = -0.4;   ///< a hole in a section is closed over where the last piece has this
   double alone_confidence = -0.5;  ///< a small body that no cell joins with anything is joined from this on
   double cavity_confidence = 0;    ///< a cavity is opened where a wall is less sure than this, and nothing
                                    ///< less sure is built there; -1: cavities stay
   double smooth_weight = 1;        ///< of a small surface against a likely volume
-  bool look_around = true;         ///< joins in doubt by the planes around the cell, if its shape has them
+  bool look_around = false;        ///< joins in doubt by the planes around the cell (likely_joins.h), if its
+                                   ///< shape has them; else a cell is pruned by itself
 };
 
 /// What happened in a cell.
@@ -54,9 +54,9 @@ struct NaturalResult {
 
 /// (1) Confidences of the tetrahedra of R1 (confidence.h). (2) The cheapest subset of R1 (energy.h). (3)
 /// Where that has handles, holes, domes or joins that are not sure: growth from the sections within it by
-/// moves that make no handle (simple_growth.h), and its cracks filled. (4) Joins in doubt, if the shape has a
-/// field: decided by it, and growth again where that changes any (likely_joins.h). The result depends on the
-/// tetrahedra and vertex numbers alone.
+/// moves that make no handle (simple_growth.h), and its cracks filled. (4) If asked, and the shape has a
+/// field: joins in doubt are decided by it, with growth again where that changes any (likely_joins.h). The
+/// result depends on the tetrahedra and vertex numbers alone, and on the field.
 NaturalResult prune_naturally(const CellComplex& complex, const CellShape& shape,
                               const std::vector<std::uint8_t>& r1, const NaturalOptions& options,
                               const CellRequests& requests);

@@ -38,7 +38,8 @@ class SectionField {
 
   /// Samples in a ball, kMostSamples at the most: on contours, then on a triangular grid in each plane, as
   /// dense as that allows and no closer to each other than about half of its step.
-  /// O(k + s^2 + s log n) and what of the sections is in a sample's row, for k planes and s samples.
+  /// O(k + m s) for each density that is tried, a few, and what of the sections is in a sample's row, for k
+  /// planes, s samples and m pieces of contours in the ball's box.
   std::vector<FieldSample> samples(Vec3 centre, double radius) const;
 
  private:

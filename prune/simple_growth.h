@@ -28,8 +28,9 @@
 
 namespace crossloft {
 
-/// What the user wants of two sets of section vertices: that bodies with one of each are joined, whatever the
-/// confidence, or that no body gets one of each by a join.
+/// What the user, or the function through the sections around (likely_joins.h), wants of two sets of section
+/// vertices: that bodies with one of each are joined, whatever the confidence, or that no body gets one of
+/// each by a join.
 struct JoinWish {
   std::vector<std::uint32_t> a, b;  ///< vertices of the cell, ascending
   bool join = true;

@@ -23,8 +23,8 @@ namespace crossloft {
 void keep_largest_solid_subset(const CellComplex& complex, std::vector<std::uint8_t>& kept);
 
 /// True if each vertex and each grounded edge of the kept tetrahedra has an internal triangle of the cell at
-/// it. Together with good extended links (CellTopology::bad_links is 0) that makes the kept set solid, without a
-/// forest: a good link is a disk or a sphere, so what is kept at a vertex hangs together across facets and
+/// it. Together with good extended links (CellTopology::bad_links is 0) that makes the kept set solid,
+/// without a forest: a good link is a disk or a sphere, so what is kept at a vertex hangs together across facets and
 /// through the sections, and so does what is kept at an edge, a fan of the disk; each of their parts that the
 /// sections separate lies at one of them, so it has ground. Not the other way round. O(n).
 bool has_ground_everywhere(const CellComplex& complex, const std::vector<std::uint8_t>& kept);

@@ -64,7 +64,8 @@ Result<Done> Pipeline::glue_cells() {
     if (!made) return made.error();
     glued_ = std::make_unique<GluedSurface>(std::move(made).value());
   }
-  result_.solid = assemble_solid(tets_, numbering_, framed_.grid);  // in another order
+  // Puts tets_ into another order: what was known of their facets is of no use from here on.
+  result_.solid = assemble_solid(tets_, numbering_, framed_.grid);
   const GluedSurface* const glued = glued_.get();
   const auto good = self_check("gluing", [&] {
     const auto count = static_cast<std::uint32_t>(glued->vertices.size());

@@ -17,7 +17,7 @@ struct Numbering {
   std::vector<std::vector<std::uint32_t>> of_face;  ///< [face][local vertex]: final number
 };
 
-/// `faces` by arrangement face.
+/// `faces` by arrangement face. REQUIRES: the graph's points are in lexicographic order, as in a finished graph.
 Numbering number_vertices(const SectionGraph& graph, std::span<const FaceTriangulation> faces);
 
 /// By number in `before`: the number in `after`. REQUIRES: faces have kept their local numbers and may have gained vertices.

@@ -1,5 +1,5 @@
-/// A last look with the eyes of the reconstruction: whatever the steps before have thought of, no crossing
-/// without partner is left untold where a section was changed.
+/// A last look with the eyes of the reconstruction: where a section was changed, a crossing without partner of
+/// two planes of which nothing is told so far is told, whatever the steps before have thought of.
 
 #include <algorithm>
 

@@ -65,7 +65,9 @@ TEST_CASE("a torus by ten to forty-five planes is a torus, whatever joint makes 
 
 TEST_CASE("where confidences are in doubt, the sections around a cell tell that a torus goes on") {
   const Surface mesh = torus(1, 0.4, 96, 48);
-  const Reconstruction r = cut_and_rebuild(mesh, random_planes(bounds_of(mesh.points), 10, 7));
+  Options options;
+  options.natural.look_around = true;
+  const Reconstruction r = cut_and_rebuild(mesh, random_planes(bounds_of(mesh.points), 10, 7), options);
   const CheckReport report = check_surface(r.surface);
   CHECK(report.genus == 1);
   CHECK(report.components.size() == 1);
