@@ -102,15 +102,19 @@ std::vector<Part> list_parts(const CellComplex& complex, const Ground& ground) {
 }
 
 /// Whether parts that are surely one body by their confidence are so in `wanted`: else the function does not
-/// see what it is to decide. A join has the name of one part of each of two bodies, its smallest vertex.
+/// see what it is to decide. A join has the name of one part of each of two bodies, its smallest vertex, which
+/// parts that touch may have in common.
 bool sees_sure_joins(std::span<const Join> possible, std::span<const Part> parts, Reached& wanted) {
-  const auto body = [&](std::uint32_t name) {
-    const auto part =
-        std::find_if(parts.begin(), parts.end(), [&](const Part& p) { return p.vertices.front() == name; });
-    return wanted.parts.find(part->number);
+  const auto is_seen = [&](const Join& j) {
+    for (const Part& p : parts)
+      for (const Part& q : parts)
+        if (p.number != q.number && p.vertices.front() == j.a && q.vertices.front() == j.b &&
+            wanted.parts.find(p.number) == wanted.parts.find(q.number))
+          return true;
+    return false;
   };
   return std::all_of(possible.begin(), possible.end(), [&](const Join& j) {
-    return j.confidence <= as_integer(kSurelyJoined) || body(j.a) == body(j.b);
+    return j.confidence <= as_integer(kSurelyJoined) || is_seen(j);
   });
 }
 
