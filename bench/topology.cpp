@@ -222,7 +222,8 @@ int main(int count, char** words) {
   Arguments arguments;
   if (!read_arguments(count, words, arguments)) {
     std::fprintf(stderr,
-                 "usage: bench_topology [--seeds N] [--case TEXT] [--rays N] [--look-around] [--verbose] [MODE...]\n");
+                 "usage: bench_topology [--seeds N] [--case TEXT] [--rays N] [--look-around] [--verbose] "
+                 "[MODE...]\n");
     return 2;
   }
   for (const Case& c : all_cases())
