@@ -2,8 +2,8 @@
 // sets of planes, all contour vertices kept, reconstructs in every mode and compares with the mesh that was
 // cut.
 //
-//   bench_topology [--seeds N] [--case TEXT] [--rays N] [--look-around] [--verbose] [MODE...]
-//                  default: 10 seeds, all cases, 128 rays, modes joint and natural
+//   bench_topology [--seeds N] [--case TEXT] [--rays N] [--look-around] [--branching all|auto|off]
+//                 [--verbose] [MODE...]      default: 10 seeds, all cases, 128 rays, modes joint and natural
 //
 // A run is right if its genus (summed) and its number of surface components are those of the mesh. Per case
 // and mode: right runs, means of intersection over union and of the volume's error, the worst loss of IoU
@@ -193,12 +193,20 @@ bool read_mode(const std::string& word, Arguments& arguments) {
   return false;
 }
 
+bool read_branching(const std::string& word, Branching& mode) {
+  if (word != "all" && word != "auto" && word != "off") return false;
+  mode = word == "all" ? Branching::all : word == "off" ? Branching::off : Branching::automatic;
+  return true;
+}
+
 bool read_arguments(int count, char** words, Arguments& arguments) {
   for (int i = 1; i < count; ++i) {
     const std::string word = words[i];
     const bool last = i + 1 == count;
     if (word == "--look-around") {
       arguments.options.natural.look_around = true;
+    } else if (word == "--branching" && !last) {
+      if (!read_branching(words[++i], arguments.options.branching.mode)) return false;
     } else if (word == "--verbose") {
       arguments.verbose = true;
     } else if (word == "--seeds" && !last) {
@@ -222,8 +230,8 @@ int main(int count, char** words) {
   Arguments arguments;
   if (!read_arguments(count, words, arguments)) {
     std::fprintf(stderr,
-                 "usage: bench_topology [--seeds N] [--case TEXT] [--rays N] [--look-around] [--verbose] "
-                 "[MODE...]\n");
+                 "usage: bench_topology [--seeds N] [--case TEXT] [--rays N] [--look-around] "
+                 "[--branching all|auto|off] [--verbose] [MODE...]\n");
     return 2;
   }
   for (const Case& c : all_cases())

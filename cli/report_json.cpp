@@ -10,9 +10,11 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json to_json(const StageSeconds& s) {
-  return {{"input", s.input},     {"arrangement", s.arrangement}, {"crossings", s.crossings},
-          {"faces", s.faces},     {"branching", s.branching},     {"delaunay", s.delaunay},
-          {"pruning", s.pruning}, {"gluing", s.gluing},           {"separating", s.separating},
+  return {{"input", s.input},         {"arrangement", s.arrangement},
+          {"crossings", s.crossings}, {"faces", s.faces},
+          {"cells", s.cells},         {"branching", s.branching},
+          {"delaunay", s.delaunay},   {"pruning", s.pruning},
+          {"gluing", s.gluing},       {"separating", s.separating},
           {"total", s.total}};
 }
 

@@ -198,7 +198,7 @@ bool Pipeline::is_near_branching(std::span<const FaceId> ids) const {
 Result<Done> Pipeline::find_branching_cells() {
   const BranchingOptions& wanted = options_.branching;
   if (wanted.mode == Branching::off && !wanted.cutting) return Done{};
-  return for_all(cells_.size(), "branching", [&](std::size_t c) -> Result<Done> {
+  return for_all(cells_.size(), "facing sections", [&](std::size_t c) -> Result<Done> {
     const CellId id{static_cast<std::uint32_t>(c)};
     const std::vector<FaceId> ids = inner_faces(id);
     const std::vector<CellFace> faces = cell_faces(id, ids);
@@ -283,6 +283,7 @@ Result<Done> Pipeline::fill_cells() {
   cover_finally();
   if (options_.thicken > 0)
     if (auto done = thicken(); !done) return done;
+  result_.report.seconds.cells = watch_.lap();
   finish_faces();
   finish_cells();
   return Done{};
@@ -327,7 +328,7 @@ void Pipeline::finish_cells() {
     known_.loose.push_back(static_cast<std::uint32_t>(tets_.size()) + i);
   tets_.insert(tets_.end(), roof_tets_.begin(), roof_tets_.end());
   if (!glued_) known_.partner.resize(4 * tets_.size(), kNone);
-  watch_.lap();
+  report.seconds.cells += watch_.lap();
 }
 
 }  // namespace crossloft

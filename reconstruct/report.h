@@ -51,8 +51,8 @@ struct CellReport {
 };
 
 struct StageSeconds {
-  double input = 0, arrangement = 0, crossings = 0, faces = 0, branching = 0, delaunay = 0, pruning = 0,
-         gluing = 0, separating = 0, total = 0;
+  double input = 0, arrangement = 0, crossings = 0, faces = 0, cells = 0, branching = 0, delaunay = 0,
+         pruning = 0, gluing = 0, separating = 0, total = 0;
 };
 
 /// Sums over the cells.
