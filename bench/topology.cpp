@@ -14,51 +14,19 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <functional>
 #include <string>
 #include <vector>
 
 #include "../inspect/check.h"
 #include "../inspect/compare.h"
 #include "../inspect/slice.h"
-#include "../inspect/solids.h"
 #include "../inspect/surface_topology.h"
 #include "../reconstruct/reconstruct.h"
+#include "topology_cases.h"
 
 namespace {
 
 using namespace crossloft;
-using Planes = std::function<std::vector<CuttingPlane>(const Bounds&, std::uint64_t seed)>;
-
-struct Case {
-  std::string name;
-  std::function<Surface()> solid;
-  Planes planes;
-};
-
-Planes random_set(std::uint32_t count) {
-  return [count](const Bounds& box, std::uint64_t seed) { return random_planes(box, count, seed); };
-}
-Planes fan_set(std::uint32_t count) {
-  return [count](const Bounds& box, std::uint64_t seed) { return fan_planes(box, count, seed); };
-}
-
-std::vector<Case> all_cases() {
-  const auto ring = [] { return torus(1, 0.4, 96, 48); };
-  return {{"torus by 10", ring, random_set(10)},
-          {"torus by 16", ring, random_set(16)},
-          {"torus by 45", ring, random_set(45)},
-          {"genus 2 by 24", [] { return genus2_solid(); }, random_set(24)},
-          {"genus 2 by fan 24", [] { return genus2_solid(); }, fan_set(24)},
-          {"genus 3 by 30", [] { return genus3_solid(); }, random_set(30)},
-          {"trefoil by 25", [] { return trefoil_solid(); }, random_set(25)},
-          {"trefoil by 40", [] { return trefoil_solid(); }, random_set(40)},
-          {"vessels by 20", [] { return vessel_solid(); }, random_set(20)},
-          {"vessels by fan 24", [] { return vessel_solid(); }, fan_set(24)},
-          {"gyroid by 40", [] { return gyroid_solid(); }, random_set(40)},
-          {"nested shells by 12", [] { return nested_shells(); }, random_set(12)}};
-}
-
 /// One component of a surface.
 struct Body {
   std::int64_t genus = 0;
@@ -155,7 +123,7 @@ void print_bodies(const Run& run) {
               run.report.pinched_vertices, run.report.pinched_edges);
 }
 
-bool run_case(const Case& c, const Arguments& arguments) {
+bool run_case(const bench::TopologyCase& c, const Arguments& arguments) {
   const Surface mesh = c.solid();
   const Shape truth = shape_of(mesh);
   std::vector<std::vector<Run>> runs(arguments.modes.size());
@@ -234,7 +202,7 @@ int main(int count, char** words) {
                  "[--branching all|auto|off] [--verbose] [MODE...]\n");
     return 2;
   }
-  for (const Case& c : all_cases())
+  for (const bench::TopologyCase& c : bench::topology_cases())
     if (c.name.find(arguments.only) != std::string::npos && !run_case(c, arguments)) return 1;
   return 0;
 }

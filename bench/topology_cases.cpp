@@ -1,0 +1,35 @@
+#include "topology_cases.h"
+
+#include "../inspect/solids.h"
+
+namespace crossloft::bench {
+namespace {
+
+using Planes = std::function<std::vector<CuttingPlane>(const Bounds&, std::uint64_t seed)>;
+
+Planes random_set(std::uint32_t count) {
+  return [count](const Bounds& box, std::uint64_t seed) { return random_planes(box, count, seed); };
+}
+Planes fan_set(std::uint32_t count) {
+  return [count](const Bounds& box, std::uint64_t seed) { return fan_planes(box, count, seed); };
+}
+
+}  // namespace
+
+std::vector<TopologyCase> topology_cases() {
+  const auto ring = [] { return torus(1, 0.4, 96, 48); };
+  return {{"torus by 10", ring, random_set(10)},
+          {"torus by 16", ring, random_set(16)},
+          {"torus by 45", ring, random_set(45)},
+          {"genus 2 by 24", [] { return genus2_solid(); }, random_set(24)},
+          {"genus 2 by fan 24", [] { return genus2_solid(); }, fan_set(24)},
+          {"genus 3 by 30", [] { return genus3_solid(); }, random_set(30)},
+          {"trefoil by 25", [] { return trefoil_solid(); }, random_set(25)},
+          {"trefoil by 40", [] { return trefoil_solid(); }, random_set(40)},
+          {"vessels by 20", [] { return vessel_solid(); }, random_set(20)},
+          {"vessels by fan 24", [] { return vessel_solid(); }, fan_set(24)},
+          {"gyroid by 40", [] { return gyroid_solid(); }, random_set(40)},
+          {"nested shells by 12", [] { return nested_shells(); }, random_set(12)}};
+}
+
+}  // namespace crossloft::bench
