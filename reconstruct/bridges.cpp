@@ -173,8 +173,7 @@ class BridgeFinder {
       break;
     }
     for (std::size_t k = 0; k < 2; ++k) {
-      const Facet& f = ground_.facet(fan.ground[k]);
-      bridge.ground[k] = cell_.ground[f.tet][f.facet];
+      bridge.ground[k] = cell_.ground[fan.ground[k]];
       bridge.edge[k] = cell_.vertices[fan.edge[k]];
     }
     result_.bridges.push_back(std::move(bridge));

@@ -30,9 +30,13 @@ void add_up(const CellReport& cell, TopologyReport& sum) {
 
 std::vector<GroundTriangle> ground_under(const BuiltCell& cell, const std::vector<std::uint8_t>& kept) {
   std::vector<GroundTriangle> list;
-  for (std::size_t t = 0; t < kept.size(); ++t)
-    for (const GroundTriangle& ground : cell.ground[t])
-      if (kept[t] != 0 && ground.face != kNone) list.push_back(ground);
+  auto next = cell.ground.begin();
+  for (std::size_t t = 0; t < kept.size(); ++t) {
+    const auto& kinds = cell.complex.facets[t];
+    const auto last = next + std::count(kinds.begin(), kinds.end(), FacetKind::internal);
+    if (kept[t] != 0) list.insert(list.end(), next, last);
+    next = last;
+  }
   return list;
 }
 
@@ -40,22 +44,20 @@ std::vector<GroundTriangle> ground_under(const BuiltCell& cell, const std::vecto
 void take_kept(const BuiltCell& cell, const std::vector<std::uint8_t>& kept, CellState& state) {
   const TetMesh& mesh = cell.complex.mesh;
   std::vector<std::uint32_t> position(kept.size(), kNone);
-  state.tets.clear();
-  state.partners.clear();
-  state.ground.clear();
+  const auto count = static_cast<std::size_t>(std::count(kept.begin(), kept.end(), std::uint8_t{1}));
+  state.tets.resize(count);
+  state.partners.assign(count, {kNone, kNone, kNone, kNone});
+  state.ground = ground_under(cell, kept);
   state.feet.clear();
+  state.feet.reserve(state.ground.size());
+  std::uint32_t next = 0;
   for (std::uint32_t t = 0; t < kept.size(); ++t) {
     if (kept[t] == 0) continue;
-    const auto at = position[t] = static_cast<std::uint32_t>(state.tets.size());
-    auto& tet = state.tets.emplace_back();
-    state.partners.push_back({kNone, kNone, kNone, kNone});
+    const std::uint32_t at = position[t] = next++;
     for (std::size_t i = 0; i < 4; ++i) {
-      tet[i] = cell.vertices[mesh.vertices[t][i]];
+      state.tets[at][i] = cell.vertices[mesh.vertices[t][i]];
       const auto facet = 4 * at + static_cast<std::uint32_t>(i);
-      if (cell.ground[t][i].face != kNone) {
-        state.ground.push_back(cell.ground[t][i]);
-        state.feet.push_back(facet);
-      }
+      if (cell.complex.facets[t][i] == FacetKind::internal) state.feet.push_back(facet);
       const std::uint32_t n = mesh.neighbours[t][i];
       if (n == kNone || position[n] == kNone) continue;  // the later one of two joins them
       const unsigned back = facet_towards(mesh, n, t);
