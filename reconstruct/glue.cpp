@@ -1,6 +1,7 @@
 #include "glue.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <numeric>
 #include <utility>
@@ -9,6 +10,7 @@
 #include "../geom/disjoint_sets.h"
 #include "../geom/parallel.h"
 #include "../prune/star.h"
+#include "lists.h"
 #include "self_check.h"
 
 namespace crossloft {
@@ -38,22 +40,6 @@ Triple rotated(const Triple& t) {
   if (t[1] < t[0] && t[1] < t[2]) return {t[1], t[2], t[0]};
   if (t[2] < t[0] && t[2] < t[1]) return {t[2], t[0], t[1]};
   return t;
-}
-
-/// Sorts by the first vertex in linear time, then within the few that have the same one.
-template <class Item, class FirstVertex>
-void sort_by_vertex(std::vector<Item>& items, FirstVertex first_vertex) {
-  std::uint32_t count = 0;
-  for (const Item& item : items) count = std::max(count, first_vertex(item) + 1);
-  std::vector<std::uint32_t> begin(std::size_t{count} + 1, 0);
-  for (const Item& item : items) ++begin[first_vertex(item) + std::size_t{1}];
-  std::partial_sum(begin.begin(), begin.end(), begin.begin());
-  std::vector<Item> sorted(items.size());
-  std::vector<std::uint32_t> next(begin);
-  for (const Item& item : items) sorted[next[first_vertex(item)]++] = item;
-  for (std::uint32_t v = 0; v < count; ++v)
-    std::sort(sorted.begin() + begin[v], sorted.begin() + begin[v + std::size_t{1}]);
-  items = std::move(sorted);
 }
 
 Error failure(ErrorCode code, const char* message) {
@@ -177,19 +163,17 @@ std::vector<Triple> collect_boundary(Tets tets, std::vector<std::uint32_t>& part
   return triangles;
 }
 
-/// The boundary triangle at the other end of the solid wedge at edge (a, b): from facet to facet around the
-/// edge, through the tetrahedra between them.
+/// The boundary triangle at the other end of the solid wedge at an edge of a facet, the one without the vertex
+/// `stays`: from facet to facet around the edge, through the tetrahedra between them.
 std::uint32_t across_wedge(Tets tets, const std::vector<std::uint32_t>& partner, std::uint32_t facet,
-                           std::uint32_t a, std::uint32_t b) {
+                           std::uint32_t stays) {
   for (;;) {
+    // The way out is opposite to what came in before last, the only other vertex that is not on the edge.
     const auto& tet = tets[facet / 4];
-    const unsigned corner = kEdgeCorner[slot_of(tet, a)][slot_of(tet, b)];
-    const unsigned other = static_cast<unsigned>(kCornerFacets[corner]) & ~(1U << facet % 4);
-    unsigned slot = 0;
-    while ((other >> slot & 1U) == 0) ++slot;
-    facet = facet / 4 * 4 + slot;
-    if (is_boundary(partner[facet])) return partner[facet] & ~kBoundaryMark;
-    facet = partner[facet];
+    const std::uint32_t opposite = tet[facet % 4];
+    facet = partner[facet / 4 * 4 + slot_of(tet, stays)];
+    if (is_boundary(facet)) return facet & ~kBoundaryMark;
+    stays = opposite;
   }
 }
 
@@ -198,16 +182,20 @@ std::uint32_t across_wedge(Tets tets, const std::vector<std::uint32_t>& partner,
 std::uint32_t next_corner(std::uint32_t corner) { return corner % 3 == 2 ? corner - 2 : corner + 1; }
 
 /// mate[s] = the side paired with side s. In the order of the tetrahedra: walking around edges in the order
-/// of the triangles would jump from cell to cell.
+/// of the triangles would jump from cell to cell. Whoever comes first to one of two sides tells both.
 std::vector<std::uint32_t> pair_sides(Tets tets, const std::vector<std::uint32_t>& partner,
                                       std::span<const Triple> triangles, const Context& context) {
-  std::vector<std::uint32_t> mate(3 * triangles.size());
+  std::vector<std::uint32_t> mate(3 * triangles.size(), kNone);
+  const auto at = [&](std::uint32_t side) { return std::atomic_ref<std::uint32_t>(mate[side]); };
   const auto pair = [&](std::uint32_t facet, std::uint32_t side) {
+    if (at(side).load(std::memory_order_relaxed) != kNone) return;
     const Triple& triangle = triangles[side / 3];
-    const std::uint32_t a = triangle[side % 3], b = triangle[(side + 1) % 3];
-    const std::uint32_t other = across_wedge(tets, partner, facet, a, b);
+    const std::uint32_t end = triangle[(side + 1) % 3];
+    const std::uint32_t other = across_wedge(tets, partner, facet, triangle[(side + 2) % 3]);
     const Triple& met = triangles[other];
-    mate[side] = 3 * other + static_cast<std::uint32_t>(std::find(met.begin(), met.end(), b) - met.begin());
+    const std::uint32_t found = 3 * other + (met[0] == end ? 0U : met[1] == end ? 1U : 2U);
+    at(side).store(found, std::memory_order_relaxed);
+    at(found).store(side, std::memory_order_relaxed);
   };
   for_blocks(tets.size(), context, [&](std::uint32_t first, std::uint32_t last) {
     for (std::uint32_t f = 4 * first; f < 4 * last; ++f)
@@ -228,12 +216,13 @@ struct Side {
 class Cutter {
  public:
   Cutter(const std::vector<Triple>& triangles, const std::vector<std::uint32_t>& mate)
-      : triangles_(triangles), mate_(mate), midpoint_(mate.size(), kNone), copy_(mate.size()) {}
+      : triangles_(triangles), mate_(mate), midpoint_(mate.size(), kNone), copy_(mate.size(), kNone) {}
 
   GluedSurface run() {
-    count_pinched_edges();
+    const std::vector<Side> pinched = pinched_edges();
     make_copies();
-    split_shared_edges();
+    split_shared_edges(pinched);
+    surface_.triangles.reserve(triangles_.size());
     for (std::uint32_t t = 0; t < triangles_.size(); ++t) emit(t);
     return std::move(surface_);
   }
@@ -241,20 +230,6 @@ class Cutter {
  private:
   std::uint32_t input_vertex(std::uint32_t corner) const { return triangles_[corner / 3][corner % 3]; }
   bool leads(std::uint32_t side) const { return side < mate_[side]; }
-
-  /// One entry for each pair of sides, sorted by the ends that `end(corner)` gives.
-  template <class End>
-  std::vector<Side> sorted_edges(End end) const {
-    std::vector<Side> edges;
-    edges.reserve(mate_.size() / 2);
-    for (std::uint32_t s = 0; s < mate_.size(); ++s) {
-      if (!leads(s)) continue;
-      const auto [a, b] = std::minmax({end(s), end(next_corner(s))});
-      edges.push_back({a, b, s});
-    }
-    sort_by_vertex(edges, [](const Side& side) { return side.a; });
-    return edges;
-  }
 
   /// Calls visit(first, last) for each run of two or more edges with the same ends.
   template <class Visit>
@@ -266,35 +241,60 @@ class Cutter {
     }
   }
 
-  void count_pinched_edges() {
-    const auto edges = sorted_edges([&](std::uint32_t corner) { return input_vertex(corner); });
-    for_shared(edges, [&](std::size_t, std::size_t) { ++surface_.pinched_edges; });
+  /// One entry for each pair of sides at an edge of input vertices that has several; counts these edges.
+  std::vector<Side> pinched_edges() {
+    std::vector<Side> edges, pinched;
+    edges.reserve(mate_.size() / 2);
+    for (std::uint32_t s = 0; s < mate_.size(); ++s) {
+      if (!leads(s)) continue;
+      const auto [a, b] = std::minmax({input_vertex(s), input_vertex(next_corner(s))});
+      edges.push_back({a, b, s});
+    }
+    sort_by_vertex(edges, [](const Side& side) { return side.a; });
+    for_shared(edges, [&](std::size_t first, std::size_t last) {
+      ++surface_.pinched_edges;
+      for (std::size_t i = first; i < last; ++i) pinched.push_back(edges[i]);
+    });
+    return pinched;
+  }
+
+  /// The smallest corner of each umbrella, with its input vertex; copy_ leads there from all of its corners.
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> find_umbrellas() {
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> first_corners;
+    for (std::uint32_t c = 0; c < mate_.size(); ++c) {
+      if (copy_[c] != kNone) continue;
+      first_corners.emplace_back(input_vertex(c), c);
+      for (std::uint32_t s = c; copy_[s] == kNone; s = next_corner(mate_[s])) copy_[s] = c;
+    }
+    sort_by_vertex(first_corners, [](const auto& corner) { return corner.first; });
+    return first_corners;
   }
 
   /// A vertex for each umbrella, in the order of (input vertex, its first corner).
   void make_copies() {
-    DisjointSets umbrellas(mate_.size());
-    for (std::uint32_t s = 0; s < mate_.size(); ++s) {
-      umbrellas.join(s, next_corner(mate_[s]));
-    }
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> roots;
-    for (std::uint32_t c = 0; c < mate_.size(); ++c) {
-      if (umbrellas.is_root(c)) roots.emplace_back(input_vertex(c), c);
-    }
-    std::sort(roots.begin(), roots.end());
-    for (std::size_t i = 0; i < roots.size(); ++i) {
-      const bool repeats = i > 0 && roots[i - 1].first == roots[i].first;
+    const auto umbrellas = find_umbrellas();
+    std::vector<std::uint32_t> number(mate_.size());  // by first corner
+    surface_.vertices.reserve(umbrellas.size());
+    for (std::size_t i = 0; i < umbrellas.size(); ++i) {
+      const auto& [vertex, corner] = umbrellas[i];
+      const bool repeats = i > 0 && umbrellas[i - 1].first == vertex;
       if (repeats) ++surface_.copies;
-      if (repeats && (i == 1 || roots[i - 2].first != roots[i].first)) ++surface_.pinched_vertices;
-      copy_[roots[i].second] = static_cast<std::uint32_t>(i);
-      surface_.vertices.push_back({roots[i].first, kNone});
+      if (repeats && (i == 1 || umbrellas[i - 2].first != vertex)) ++surface_.pinched_vertices;
+      number[corner] = static_cast<std::uint32_t>(i);
+      surface_.vertices.push_back({vertex, kNone});
     }
-    for (std::uint32_t c = 0; c < mate_.size(); ++c) copy_[c] = copy_[umbrellas.find(c)];
+    for (std::uint32_t& c : copy_) c = number[c];
   }
 
-  /// A midpoint for each wedge at an edge that several wedges have in common even by copies.
-  void split_shared_edges() {
-    const auto edges = sorted_edges([&](std::uint32_t corner) { return copy_[corner]; });
+  /// A midpoint for each wedge at an edge that several wedges have in common even by copies: it is one of the
+  /// pinched ones.
+  void split_shared_edges(std::span<const Side> pinched) {
+    std::vector<Side> edges;
+    for (const Side& side : pinched) {
+      const auto [a, b] = std::minmax({copy_[side.number], copy_[next_corner(side.number)]});
+      edges.push_back({a, b, side.number});
+    }
+    std::sort(edges.begin(), edges.end());
     std::vector<Side> split;
     for_shared(edges, [&](std::size_t first, std::size_t last) {
       for (std::size_t i = first; i < last; ++i) {

@@ -96,11 +96,15 @@ std::uint32_t piece_of(const std::vector<PieceTriangle>& triangles, const Triang
   return place != triangles.end() && place->vertices == facet ? place->piece : kNone;
 }
 
-/// Through the facets of their tetrahedra.
+/// Through the facets of their tetrahedra; few tetrahedra have more than two vertices at a piece.
 void find_cells(std::span<const CellState> cells, const std::vector<PieceTriangle>& triangles,
-                std::vector<Piece>& pieces) {
+                std::size_t vertices, std::vector<Piece>& pieces) {
+  std::vector<std::uint8_t> at_piece(vertices, 0);
+  for (const PieceTriangle& triangle : triangles)
+    for (const std::uint32_t v : triangle.vertices) at_piece[v] = 1;
   for (std::uint32_t c = 0; c < cells.size(); ++c)
     for (TetName name : cells[c].tets) {
+      if (at_piece[name[0]] + at_piece[name[1]] + at_piece[name[2]] + at_piece[name[3]] < 3) continue;
       std::sort(name.begin(), name.end());
       for (std::size_t i = 0; i < 4; ++i) {
         Triangle facet{};
@@ -276,7 +280,7 @@ Result<std::vector<Piece>> Pipeline::find_pieces() {
   std::vector<Piece> pieces = found.take();
   if (pieces.empty()) return pieces;
   const std::vector<PieceTriangle> triangles = found.triangles();
-  find_cells(cells_, triangles, pieces);
+  find_cells(cells_, triangles, numbering_.points.size(), pieces);
   find_bare_cells(faces_, numbering_, *arrangement_, triangles, pieces);
   const bool forbids =
       std::any_of(options_.joins.begin(), options_.joins.end(), [](const auto& j) { return !j.join; });
