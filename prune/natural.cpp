@@ -157,7 +157,7 @@ class NaturalPruning {
   const CellRequests& requests_;
   const GrowthLimits limits_;
   const Ground ground_;
-  const ConfidenceMeter meter_;
+  ConfidenceMeter meter_;
   std::vector<std::int32_t> confidence_;
 };
 

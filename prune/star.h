@@ -42,7 +42,7 @@ inline unsigned slot_of(const std::array<std::uint32_t, 4>& tet, std::uint32_t v
 inline TetName sorted_vertices(const TetMesh& mesh, std::uint32_t t) {
   std::array<std::uint32_t, 4> v = mesh.vertices[t];
   const auto order = [&](unsigned i, unsigned j) {
-    const auto [low, high] = std::minmax({v[i], v[j]});
+    const std::uint32_t low = std::min(v[i], v[j]), high = std::max(v[i], v[j]);
     v[i] = low, v[j] = high;
   };
   order(0, 1), order(2, 3), order(0, 2), order(1, 3), order(1, 2);
