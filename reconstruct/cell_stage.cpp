@@ -104,13 +104,14 @@ void Pipeline::cover_finally() {
 }
 
 PruneResult Pipeline::prune_built(CellId id, std::span<const FaceId> ids, std::span<const CellFace> faces,
-                                  const BuiltCell& cell, const CellRequests& asked) const {
-  if (options_.mode != PruneMode::natural) return prune(cell.complex, {}, {options_.mode, {}});
+                                  const BuiltCell& cell, const Ground& ground,
+                                  const CellRequests& asked) const {
+  if (options_.mode != PruneMode::natural) return prune(cell.complex, ground, {}, {options_.mode, {}}, {});
   CellRequests requests = by_local_numbers(asked, cell);
   requests.wishes = cell_wishes(options_.joins, faces, cell);
   CellShape shape = cell_shape(*arrangement_, id, ids, cell, numbering_);
   shape.field = field_.get();
-  return prune(cell.complex, shape, {options_.mode, options_.natural}, requests);
+  return prune(cell.complex, ground, shape, {options_.mode, options_.natural}, requests);
 }
 
 /// Joins by places instead of the cell's vertices.
@@ -156,7 +157,8 @@ Result<Done> Pipeline::prune_cell(CellId id, CellState& state) {
   BuiltCell& cell = *built;
   if (cell.complex.mesh.size() == 0) return Done{};
   Stopwatch watch;
-  PruneResult pruned = prune_built(id, ids, faces, cell, state.asked);
+  const Ground ground(cell.complex);
+  PruneResult pruned = prune_built(id, ids, faces, cell, ground, state.asked);
   if (auto good = check_pruned(cell, pruned); !good) return good;
   CellReport& report = state.report;
   report.faces = static_cast<std::uint32_t>(faces.size());
@@ -168,7 +170,8 @@ Result<Done> Pipeline::prune_cell(CellId id, CellState& state) {
   state.pruning_seconds += watch.lap();
   take_kept(cell, pruned.kept, state);
   state.answers = by_final_numbers(std::move(pruned.answers), ids, cell);
-  if (options_.mode == PruneMode::natural) state.bridges = find_bridges(cell, pruned.kept, numbering_.points);
+  if (options_.mode == PruneMode::natural)
+    state.bridges = find_bridges(cell, ground, pruned.kept, numbering_.points);
   // Natural may leave a section no more than a spike that no solid subset would have: it lacks samples even
   // so. Where natural is solid and covers all, so does the largest solid subset.
   const CellTopology& topology = pruned.natural.after;
