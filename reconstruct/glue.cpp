@@ -147,20 +147,39 @@ std::vector<std::uint32_t> all_partners(Tets tets) {
 constexpr std::uint32_t kBoundaryMark = 1U << 31;
 bool is_boundary(std::uint32_t partner) { return (partner & kBoundaryMark) != 0; }
 
-/// The boundary's triangles with the smallest vertex first, sorted.
-std::vector<Triple> collect_boundary(Tets tets, std::vector<std::uint32_t>& partner) {
-  std::vector<std::pair<Triple, std::uint32_t>> found;
-  for (std::uint32_t f = 0; f < partner.size(); ++f) {
-    if (partner[f] == kNone) found.emplace_back(rotated(outward(tets, f)), f);
+/// Calls visit(facet, triangle with its smallest vertex first) for what has no partner.
+template <class Visit>
+void for_boundary(Tets tets, const std::vector<std::uint32_t>& partner, Visit visit) {
+  for (std::uint32_t f = 0; f < partner.size(); ++f)
+    if (partner[f] == kNone) visit(f, rotated(outward(tets, f)));
+}
+
+/// The boundary's triangles, sorted: by their first vertex in linear time, then the few that have the same one.
+void collect_boundary(Tets tets, std::vector<std::uint32_t>& partner, PairedBoundary& boundary) {
+  std::vector<std::uint32_t> begin;  // by first vertex
+  for_boundary(tets, partner, [&](std::uint32_t, const Triple& t) {
+    if (t[0] + std::size_t{1} >= begin.size()) begin.resize(t[0] + t[0] / 2 + std::size_t{2}, 0);
+    ++begin[t[0] + std::size_t{1}];
+  });
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  struct Entry {
+    std::uint32_t second, third, facet;
+    bool operator<(const Entry& o) const { return second != o.second ? second < o.second : third < o.third; }
+  };
+  std::vector<Entry> found(begin.empty() ? 0 : begin.back());
+  for_boundary(tets, partner,
+               [&](std::uint32_t f, const Triple& t) { found[begin[t[0]]++] = {t[1], t[2], f}; });
+  // Now begin[v] is where those of v end.
+  boundary.triangles.reserve(found.size());
+  boundary.facets.reserve(found.size());
+  for (std::uint32_t v = 0, first = 0; first < found.size(); first = begin[v++]) {
+    std::sort(found.begin() + first, found.begin() + begin[v]);
+    for (std::uint32_t k = first; k < begin[v]; ++k) {
+      partner[found[k].facet] = kBoundaryMark | k;
+      boundary.triangles.push_back({v, found[k].second, found[k].third});
+      boundary.facets.push_back(found[k].facet);
+    }
   }
-  sort_by_vertex(found, [](const auto& entry) { return entry.first[0]; });
-  std::vector<Triple> triangles;
-  triangles.reserve(found.size());
-  for (const auto& [triangle, facet] : found) {
-    partner[facet] = kBoundaryMark | static_cast<std::uint32_t>(triangles.size());
-    triangles.push_back(triangle);
-  }
-  return triangles;
 }
 
 /// The boundary triangle at the other end of the solid wedge at an edge of a facet, the one without the vertex
@@ -212,85 +231,110 @@ struct Side {
   friend auto operator<=>(const Side&, const Side&) = default;
 };
 
+/// Calls visit(first, last) for each run of two or more sides with the same ends.
+template <class Visit>
+void for_shared(const std::vector<Side>& sides, Visit visit) {
+  for (std::size_t first = 0, last = 0; first < sides.size(); first = last) {
+    while (last < sides.size() && sides[last].a == sides[first].a && sides[last].b == sides[first].b) ++last;
+    if (last - first > 1) visit(first, last);
+  }
+}
+
 /// Cuts the boundary apart; see the header for the rules.
 class Cutter {
  public:
   Cutter(const std::vector<Triple>& triangles, const std::vector<std::uint32_t>& mate)
-      : triangles_(triangles), mate_(mate), midpoint_(mate.size(), kNone), copy_(mate.size(), kNone) {}
+      : triangles_(triangles), mate_(mate), copy_(mate.size(), kNone) {}
 
   GluedSurface run() {
-    const std::vector<Side> pinched = pinched_edges();
     make_copies();
-    split_shared_edges(pinched);
+    split_shared_edges();
     surface_.triangles.reserve(triangles_.size());
-    for (std::uint32_t t = 0; t < triangles_.size(); ++t) emit(t);
+    for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
+      if (midpoint_.empty())
+        emit(copy_[3 * t], copy_[3 * t + 1], copy_[3 * t + 2]);
+      else
+        emit(t);
+    }
     return std::move(surface_);
   }
 
  private:
+  /// By its smallest corner.
+  struct UmbrellaAt {
+    std::uint32_t vertex, corner;
+    friend auto operator<=>(const UmbrellaAt&, const UmbrellaAt&) = default;
+  };
+
   std::uint32_t input_vertex(std::uint32_t corner) const { return triangles_[corner / 3][corner % 3]; }
-  bool leads(std::uint32_t side) const { return side < mate_[side]; }
 
-  /// Calls visit(first, last) for each run of two or more edges with the same ends.
+  /// Calls visit(corner) around the umbrella: the side that starts there is a spoke.
   template <class Visit>
-  static void for_shared(const std::vector<Side>& edges, Visit visit) {
-    for (std::size_t first = 0, last = 0; first < edges.size(); first = last) {
-      while (last < edges.size() && edges[last].a == edges[first].a && edges[last].b == edges[first].b)
-        ++last;
-      if (last - first > 1) visit(first, last);
-    }
+  void walk(std::uint32_t corner, Visit visit) {
+    std::uint32_t c = corner;
+    do {
+      visit(c);
+      c = next_corner(mate_[c]);
+    } while (c != corner);
   }
 
-  /// One entry for each pair of sides at an edge of input vertices that has several; counts these edges.
-  std::vector<Side> pinched_edges() {
-    std::vector<Side> edges, pinched;
-    edges.reserve(mate_.size() / 2);
-    for (std::uint32_t s = 0; s < mate_.size(); ++s) {
-      if (!leads(s)) continue;
-      const auto [a, b] = std::minmax({input_vertex(s), input_vertex(next_corner(s))});
-      edges.push_back({a, b, s});
-    }
-    sort_by_vertex(edges, [](const Side& side) { return side.a; });
-    for_shared(edges, [&](std::size_t first, std::size_t last) {
-      ++surface_.pinched_edges;
-      for (std::size_t i = first; i < last; ++i) pinched.push_back(edges[i]);
-    });
-    return pinched;
-  }
-
-  /// The smallest corner of each umbrella, with its input vertex; copy_ leads there from all of its corners.
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> find_umbrellas() {
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> first_corners;
+  std::vector<UmbrellaAt> find_umbrellas() {
+    constexpr std::uint32_t kSeen = 0;
+    std::vector<UmbrellaAt> umbrellas;
     for (std::uint32_t c = 0; c < mate_.size(); ++c) {
-      if (copy_[c] != kNone) continue;
-      first_corners.emplace_back(input_vertex(c), c);
-      for (std::uint32_t s = c; copy_[s] == kNone; s = next_corner(mate_[s])) copy_[s] = c;
+      if (copy_[c] == kSeen) continue;
+      umbrellas.push_back({input_vertex(c), c});
+      walk(c, [&](std::uint32_t corner) { copy_[corner] = kSeen; });
     }
-    sort_by_vertex(first_corners, [](const auto& corner) { return corner.first; });
-    return first_corners;
+    sort_by_vertex(umbrellas, [](const UmbrellaAt& u) { return u.vertex; });
+    return umbrellas;
   }
 
-  /// A vertex for each umbrella, in the order of (input vertex, its first corner).
+  /// A vertex for each umbrella, in the order of (input vertex, its first corner). An edge of several wedges
+  /// has a spoke in each: it is met again from the same input vertex.
   void make_copies() {
-    const auto umbrellas = find_umbrellas();
-    std::vector<std::uint32_t> number(mate_.size());  // by first corner
+    const std::vector<UmbrellaAt> umbrellas = find_umbrellas();
+    if (umbrellas.empty()) return;
+    std::vector<std::uint32_t> met_from(umbrellas.back().vertex + std::size_t{1}, kNone);
     surface_.vertices.reserve(umbrellas.size());
-    for (std::size_t i = 0; i < umbrellas.size(); ++i) {
-      const auto& [vertex, corner] = umbrellas[i];
-      const bool repeats = i > 0 && umbrellas[i - 1].first == vertex;
-      if (repeats) ++surface_.copies;
-      if (repeats && (i == 1 || umbrellas[i - 2].first != vertex)) ++surface_.pinched_vertices;
-      number[corner] = static_cast<std::uint32_t>(i);
-      surface_.vertices.push_back({vertex, kNone});
+    for (std::size_t first = 0, last = 0; first < umbrellas.size(); first = last) {
+      const std::uint32_t v = umbrellas[first].vertex;
+      bool is_pinched = false;
+      for (; last < umbrellas.size() && umbrellas[last].vertex == v; ++last) {
+        surface_.vertices.push_back({v, kNone});
+        walk(umbrellas[last].corner, [&](std::uint32_t corner) {
+          copy_[corner] = static_cast<std::uint32_t>(last);
+          std::uint32_t& from = met_from[input_vertex(next_corner(corner))];
+          is_pinched |= from == v;
+          from = v;
+        });
+      }
+      surface_.copies += static_cast<std::uint32_t>(last - first - 1);
+      if (last - first > 1) ++surface_.pinched_vertices;
+      if (is_pinched) find_pinched({umbrellas.data() + first, last - first});
     }
-    for (std::uint32_t& c : copy_) c = number[c];
+  }
+
+  /// Counts edges from one input vertex to larger ones that have several pairs of sides, and lists the pairs.
+  void find_pinched(std::span<const UmbrellaAt> umbrellas) {
+    std::vector<Side> spokes;
+    for (const UmbrellaAt& u : umbrellas)
+      walk(u.corner, [&](std::uint32_t corner) {
+        const std::uint32_t other = input_vertex(next_corner(corner));
+        if (other > u.vertex) spokes.push_back({u.vertex, other, std::min(corner, mate_[corner])});
+      });
+    std::sort(spokes.begin(), spokes.end());
+    for_shared(spokes, [&](std::size_t first, std::size_t last) {
+      ++surface_.pinched_edges;
+      for (std::size_t i = first; i < last; ++i) pinched_.push_back(spokes[i]);
+    });
   }
 
   /// A midpoint for each wedge at an edge that several wedges have in common even by copies: it is one of the
   /// pinched ones.
-  void split_shared_edges(std::span<const Side> pinched) {
+  void split_shared_edges() {
     std::vector<Side> edges;
-    for (const Side& side : pinched) {
+    for (const Side& side : pinched_) {
       const auto [a, b] = std::minmax({copy_[side.number], copy_[next_corner(side.number)]});
       edges.push_back({a, b, side.number});
     }
@@ -303,6 +347,8 @@ class Cutter {
         split.push_back({a, b, s});
       }
     });
+    if (split.empty()) return;
+    midpoint_.assign(mate_.size(), kNone);
     std::sort(split.begin(), split.end());
     for (const Side& side : split) {
       const SurfaceVertex middle{side.a, side.b};
@@ -344,8 +390,9 @@ class Cutter {
 
   const std::vector<Triple>& triangles_;
   const std::vector<std::uint32_t>& mate_;
-  std::vector<std::uint32_t> midpoint_;  ///< by side
+  std::vector<Side> pinched_;            ///< at edges with several: one of each pair
   std::vector<std::uint32_t> copy_;      ///< by corner: its vertex of the surface
+  std::vector<std::uint32_t> midpoint_;  ///< by side; empty if there are none
   GluedSurface surface_;
 };
 
@@ -390,7 +437,7 @@ Result<PairedBoundary> pair_boundary(Tets tets, KnownFacets known, const Context
   if (!good) return good.error();
   if (context.cancelled()) return failure(ErrorCode::cancelled, "cancelled");
   PairedBoundary boundary;
-  boundary.triangles = collect_boundary(tets, partner);
+  collect_boundary(tets, partner, boundary);
   boundary.mate = pair_sides(tets, partner, boundary.triangles, context);
   if (context.cancelled()) return failure(ErrorCode::cancelled, "cancelled");
   return boundary;
