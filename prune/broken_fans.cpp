@@ -8,15 +8,24 @@ namespace {
 /// All tetrahedra around an edge on the hull, from the facet `start` on.
 std::vector<GapTet> fan_from(const TetMesh& mesh, Facet start, unsigned corner) {
   std::vector<GapTet> fan;
-  for (std::uint32_t t = start.tet, from = start.facet;;) {
-    const std::uint8_t to = other_facet(from, corner);
-    fan.push_back({t, static_cast<std::uint8_t>(from), to});
-    const std::uint32_t n = mesh.neighbours[t][to];
+  Turn turn(start.tet, other_facet(start.facet, corner), start.facet);
+  for (;;) {
+    fan.push_back({turn.tet(), turn.in(), turn.out()});
+    const std::uint32_t n = turn.next(mesh);
     if (n == kNone) return fan;
-    corner = same_corner(mesh, t, corner, n);
-    from = facet_towards(mesh, n, t);
-    t = n;
+    turn.enter(mesh, n);
   }
+}
+
+/// Most fans are.
+bool is_kept_whole(const TetMesh& mesh, const std::vector<std::uint8_t>& kept, Facet start, unsigned corner) {
+  Turn turn(start.tet, other_facet(start.facet, corner), start.facet);
+  while (kept[turn.tet()] != 0) {
+    const std::uint32_t n = turn.next(mesh);
+    if (n == kNone) return true;
+    turn.enter(mesh, n);
+  }
+  return false;
 }
 
 /// The fan without what is kept at its two ends; nothing if something is kept in between.
@@ -40,8 +49,8 @@ std::vector<BrokenFan> broken_fans(const CellComplex& complex, const Ground& gro
       const Facet& start = ground.facet(g);
       const auto& slots = kFacetSlots[start.facet];
       const unsigned i = slots[k], j = slots[(k + 1) % 3];
+      if (is_kept_whole(complex.mesh, kept, start, kEdgeCorner[i][j])) continue;
       const std::vector<GapTet> fan = fan_from(complex.mesh, start, kEdgeCorner[i][j]);
-      if (std::all_of(fan.begin(), fan.end(), [&](const GapTet& t) { return kept[t.tet] != 0; })) continue;
       const auto& v = complex.mesh.vertices[start.tet];
       broken.push_back({{std::min(v[i], v[j]), std::max(v[i], v[j])}, {g, other}, only_gap(fan, kept)});
     }

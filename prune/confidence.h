@@ -32,13 +32,22 @@ class ConfidenceMeter {
   /// As section_rows().
   ConfidenceMeter(const CellComplex& complex, const Ground& ground, const CellShape& shape);
 
-  /// O(faces), with a handful of questions to the sections.
-  std::int32_t measure(std::uint32_t t) const;
+  /// O(faces), with a handful of questions to the sections. Not by two threads at once.
+  std::int32_t measure(std::uint32_t t);
 
  private:
+  struct NearFace {
+    double height;
+    std::uint32_t face;
+  };
+
+  void find_near_faces(Vec3 centroid, double radius, double reach);
+
   const CellComplex& complex_;
   const CellShape& shape_;
   std::vector<SectionRows> sections_;
+  double slack_ = 0;
+  std::vector<NearFace> near_;  ///< of the tetrahedron that is measured
 };
 
 /// Of all tetrahedra; external ones (`wanted` 0) are left at -kCertain.

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "confidence.h"
-#include "min_cut.h"
+#include "cut_reduction.h"
 #include "star.h"
 
 namespace crossloft {
@@ -57,7 +57,8 @@ class CellMeasures {
     const auto& slots = complex_.mesh.vertices[t];
     const std::uint32_t a = slots[kFacetSlots[i][0]], b = slots[kFacetSlots[i][1]],
                         c = slots[kFacetSlots[i][2]];
-    const std::uint32_t low = std::min({a, b, c}), high = std::max({a, b, c}), mid = a ^ b ^ c ^ low ^ high;
+    const std::uint32_t low = std::min(std::min(a, b), c), high = std::max(std::max(a, b), c),
+                        mid = a ^ b ^ c ^ low ^ high;
     const Vec3 p = points_[low];
     return norm(cross(per_length_ * (points_[mid] - p), per_length_ * (points_[high] - p))) / 2;
   }
@@ -113,13 +114,14 @@ class CutBuilder {
     const double size = size_of(volume);
     const double per_volume = size > 0 ? weights_.volume * units_ / size : 0;
     neighbours_.assign(open_.size(), {kNone, kNone, kNone, kNone});
+    problem_.terminal.reserve(open_.size());
     problem_.capacity.assign(open_.size(), {0, 0, 0, 0});
     for (std::uint32_t k = 0; k < open_.size(); ++k) {
       const double sureness = static_cast<double>(confidence_[open_[k]]) / kCertain + weights_.offset;
       problem_.terminal.push_back(rounded(per_volume * volume[open_[k]] * sureness) + set_facets(k));
     }
     problem_.neighbours = neighbours_;
-    const std::vector<std::uint8_t> kept_open = minimum_cut(problem_).kept;
+    const std::vector<std::uint8_t> kept_open = smallest_cheapest(problem_);
     std::vector<std::uint8_t> kept(place_.size());
     for (std::uint32_t t = 0; t < kept.size(); ++t)
       kept[t] = place_[t] == kTied || (place_[t] != kDropped && kept_open[place_[t]] != 0) ? 1 : 0;

@@ -15,54 +15,55 @@ constexpr std::array<std::array<std::uint8_t, kCorners>, 4> side_table() {
 }
 constexpr auto kSides = side_table();
 
-/// A place on the way around an edge: in a tetrahedron, from one of its facets at the edge to the other one.
-/// Facets are also the slots opposite to them, whose vertices are not on the edge.
-class Turn {
+/// Finds the side of a triangle that runs against another one's: on the hull each edge has two triangles, seen
+/// from outside in opposite directions.
+class SideMatcher {
  public:
-  Turn(std::uint32_t tet, unsigned out, unsigned in) : tet_(tet), out_(out), in_(in) {}
+  SideMatcher(std::uint32_t vertices, std::uint32_t sides) : last_(vertices, kNone), sides_(sides) {}
 
-  Facet out() const { return {tet_, static_cast<std::uint8_t>(out_)}; }
-  unsigned corner() const { return opposite_edge(out_, in_); }
-  std::uint32_t next(const TetMesh& mesh) const { return mesh.neighbours[tet_][out_]; }
-
-  /// The vertex opposite to where it came in stays; what is opposite to that is the way out.
-  void enter(const TetMesh& mesh, std::uint32_t n) {
-    const std::uint32_t stays = mesh.vertices[tet_][in_];
-    in_ = facet_towards(mesh, n, tet_);
-    out_ = slot_of(mesh.vertices[n], stays);
-    tet_ = n;
+  /// The side from b to a if it came before, else kNone and the side from a to b waits for it.
+  std::uint32_t match(std::uint32_t side, std::uint32_t a, std::uint32_t b) {
+    for (std::uint32_t s = last_[b]; s != kNone; s = sides_[s].before)
+      if (sides_[s].to == a) return s;
+    sides_[side] = {b, last_[a]};
+    last_[a] = side;
+    return kNone;
   }
 
  private:
-  std::uint32_t tet_;
-  unsigned out_, in_;
+  struct Side {
+    std::uint32_t to, before;  ///< `before`: the side from the same vertex that came before it
+  };
+  std::vector<std::uint32_t> last_;  ///< by vertex
+  std::vector<Side> sides_;
 };
 
 }  // namespace
 
 unsigned Ground::side_of(unsigned i, unsigned corner) { return kSides[i][corner]; }
 
-Ground::Ground(const CellComplex& complex) : complex_(complex), of_facet_(complex.mesh.size()) {
-  for (std::uint32_t t = 0; t < complex.mesh.size(); ++t)
-    for (std::uint8_t i = 0; i < 4; ++i) {
-      const bool internal = complex.facets[t][i] == FacetKind::internal;
-      of_facet_[t][i] = internal ? size() : kNone;
-      if (internal) facets_.push_back({t, i});
-    }
+Ground::Ground(const CellComplex& complex) : complex_(complex), first_(complex.mesh.size(), kNone) {
+  for (std::uint32_t t = 0; t < complex.mesh.size(); ++t) {
+    if (!stands_on_section(complex, t)) continue;
+    first_[t] = size();
+    for (std::uint8_t i = 0; i < 4; ++i)
+      if (is_ground(t, i)) facets_.push_back({t, i});
+  }
   neighbours_.assign(size(), {kNone, kNone, kNone});
   DisjointSets parts(size());
-  for (std::uint32_t g = 0; g < size(); ++g)
-    for (unsigned k = 0; k < 3; ++k) {
-      if (neighbours_[g][k] != kNone) continue;  // found from the other side
-      const auto& slots = kFacetSlots[facets_[g].facet];
-      unsigned corner = kEdgeCorner[slots[k]][slots[(k + 1) % 3]];
-      const Facet end = other_end(facets_[g], corner);
-      const std::uint32_t other = at(end.tet, end.facet);
-      if (other == kNone) continue;
-      neighbours_[g][k] = other;
-      neighbours_[other][side_of(end.facet, corner)] = g;
-      parts.join(g, other);
+  SideMatcher matcher(complex.vertex_count, 3 * size());
+  for (std::uint32_t g = 0; g < size(); ++g) {
+    const auto& v = complex.mesh.vertices[facets_[g].tet];
+    const auto& slots = kFacetSlots[facets_[g].facet];
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      const std::uint32_t met = matcher.match(3 * g + k, v[slots[k]], v[slots[(k + 1) % 3]]);
+      if (met == kNone) continue;
+      neighbours_[g][k] = met / 3;
+      neighbours_[met / 3][met % 3] = g;
+      parts.join(g, met / 3);
     }
+  }
+  parts_.reserve(size());
   for (std::uint32_t g = 0; g < size(); ++g) parts_.push_back(parts.find(g));
 }
 
@@ -70,14 +71,6 @@ std::uint32_t Ground::part_count() const {
   std::uint32_t count = 0;
   for (std::uint32_t g = 0; g < size(); ++g) count += parts_[g] == g ? 1U : 0U;
   return count;
-}
-
-/// The hull facet at the other end of the fan around an edge on the hull; `corner` becomes the edge there.
-Facet Ground::other_end(Facet from, unsigned& corner) const {
-  Turn turn(from.tet, other_facet(from.facet, corner), from.facet);
-  for (std::uint32_t n; (n = turn.next(complex_.mesh)) != kNone;) turn.enter(complex_.mesh, n);
-  corner = turn.corner();
-  return turn.out();
 }
 
 Facet turn_through_solid(const CellComplex& complex, const Ground& ground,
@@ -89,7 +82,7 @@ Facet turn_through_solid(const CellComplex& complex, const Ground& ground,
       turn.enter(mesh, n);
       continue;
     }
-    const Facet out = turn.out();
+    const Facet out{turn.tet(), turn.out()};
     const std::uint32_t g = n == kNone ? ground.at(out.tet, out.facet) : kNone;
     if (g == kNone) return out;
     const std::uint32_t beyond = ground.across(g, turn.corner());

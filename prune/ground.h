@@ -24,15 +24,21 @@ struct Facet {
 
 class Ground {
  public:
-  /// O(n + degrees of the edges in the sections).
+  /// O(n + degrees of the vertices in the sections).
   explicit Ground(const CellComplex& complex);
 
   std::uint32_t size() const { return static_cast<std::uint32_t>(facets_.size()); }
   /// The hull facet that is ground triangle g.
   const Facet& facet(std::uint32_t g) const { return facets_[g]; }
-  /// The ground triangle that is facet i of t, kNone if it is none.
-  std::uint32_t at(std::uint32_t t, unsigned i) const { return of_facet_[t][i]; }
-  bool is_ground(std::uint32_t t, unsigned i) const { return of_facet_[t][i] != kNone; }
+  /// The ground triangle that is facet i of t, kNone if it is none. They are numbered in the order of
+  /// tetrahedra and slots.
+  std::uint32_t at(std::uint32_t t, unsigned i) const {
+    if (!is_ground(t, i)) return kNone;
+    std::uint32_t g = first_[t];
+    for (unsigned before = 0; before < i; ++before) g += is_ground(t, before) ? 1U : 0U;
+    return g;
+  }
+  bool is_ground(std::uint32_t t, unsigned i) const { return complex_.facets[t][i] == FacetKind::internal; }
   /// The ground triangle across the side of g that is the edge between its slots kFacetSlots[i][k] and
   /// [(k + 1) % 3], kNone where the section ends.
   std::uint32_t neighbour(std::uint32_t g, unsigned k) const { return neighbours_[g][k]; }
@@ -48,11 +54,9 @@ class Ground {
   static unsigned side_of(unsigned i, unsigned corner);
 
  private:
-  Facet other_end(Facet from, unsigned& corner) const;
-
   const CellComplex& complex_;
   std::vector<Facet> facets_;
-  std::vector<std::array<std::uint32_t, 4>> of_facet_;
+  std::vector<std::uint32_t> first_;  ///< by tetrahedron: its first ground triangle
   std::vector<std::array<std::uint32_t, 3>> neighbours_;
   std::vector<std::uint32_t> parts_;
 };

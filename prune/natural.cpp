@@ -16,16 +16,16 @@ namespace {
 /// One cell on its way.
 class NaturalPruning {
  public:
-  NaturalPruning(const CellComplex& complex, const CellShape& shape, const NaturalOptions& options,
-                 const CellRequests& requests)
+  NaturalPruning(const CellComplex& complex, const Ground& ground, const CellShape& shape,
+                 const NaturalOptions& options, const CellRequests& requests)
       : complex_(complex),
         shape_(shape),
         options_(options),
         requests_(requests),
         limits_{as_integer(options.join_confidence), as_integer(options.dome_confidence), requests.wishes,
                 requests.opened},
-        ground_(complex),
-        meter_(complex, ground_, shape),
+        ground_(ground),
+        meter_(complex, ground, shape),
         confidence_(complex.mesh.size(), -kCertain) {}
 
   NaturalResult run(const std::vector<std::uint8_t>& r1) {
@@ -156,17 +156,17 @@ class NaturalPruning {
   const NaturalOptions& options_;
   const CellRequests& requests_;
   const GrowthLimits limits_;
-  const Ground ground_;
-  const ConfidenceMeter meter_;
+  const Ground& ground_;
+  ConfidenceMeter meter_;
   std::vector<std::int32_t> confidence_;
 };
 
 }  // namespace
 
-NaturalResult prune_naturally(const CellComplex& complex, const CellShape& shape,
+NaturalResult prune_naturally(const CellComplex& complex, const Ground& ground, const CellShape& shape,
                               const std::vector<std::uint8_t>& r1, const NaturalOptions& options,
                               const CellRequests& requests) {
-  return NaturalPruning(complex, shape, options, requests).run(r1);
+  return NaturalPruning(complex, ground, shape, options, requests).run(r1);
 }
 
 }  // namespace crossloft

@@ -7,6 +7,7 @@
 #include "cell_complex.h"
 #include "cell_shape.h"
 #include "cell_topology.h"
+#include "ground.h"
 #include "second_look.h"
 #include "simple_growth.h"
 
@@ -57,7 +58,7 @@ struct NaturalResult {
 /// moves that make no handle (simple_growth.h), and its cracks filled. (4) If asked, and the shape has a
 /// field: joins in doubt are decided by it, with growth again where that changes any (likely_joins.h). The
 /// result depends on the tetrahedra and vertex numbers alone, and on the field.
-NaturalResult prune_naturally(const CellComplex& complex, const CellShape& shape,
+NaturalResult prune_naturally(const CellComplex& complex, const Ground& ground, const CellShape& shape,
                               const std::vector<std::uint8_t>& r1, const NaturalOptions& options,
                               const CellRequests& requests);
 

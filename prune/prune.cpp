@@ -63,16 +63,21 @@ const char* name_of(PruneMode mode) {
 
 PruneResult prune(const CellComplex& complex, const CellShape& shape, const PruneOptions& options,
                   const CellRequests& requests) {
+  return prune(complex, Ground(complex), shape, options, requests);
+}
+
+PruneResult prune(const CellComplex& complex, const Ground& ground, const CellShape& shape,
+                  const PruneOptions& options, const CellRequests& requests) {
   if (options.mode != PruneMode::natural) {
     PruneResult result = prune(complex, options.mode);
-    result.natural.before = result.natural.after = count_topology(complex, Ground(complex), result.kept);
+    result.natural.before = result.natural.after = count_topology(complex, ground, result.kept);
     return result;
   }
   PruneResult result;
   result.r0 = complex.mesh.size();
   const std::vector<std::uint8_t> r1 = step1(complex);
   result.r1 = count(r1);
-  NaturalResult natural = prune_naturally(complex, shape, r1, options.natural, requests);
+  NaturalResult natural = prune_naturally(complex, ground, shape, r1, options.natural, requests);
   result.kept = std::move(natural.kept);
   result.r2 = natural.r2;
   result.r3 = count(result.kept);

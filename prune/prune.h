@@ -11,6 +11,7 @@
 
 #include "cell_complex.h"
 #include "cell_shape.h"
+#include "ground.h"
 #include "natural.h"
 
 namespace crossloft {
@@ -47,6 +48,9 @@ struct PruneOptions {
 /// plane for each face. Time and memory: README.md.
 PruneResult prune(const CellComplex& complex, const CellShape& shape, const PruneOptions& options,
                   const CellRequests& requests = {});
+/// The same for who has the ground already. REQUIRES: it is that of the complex.
+PruneResult prune(const CellComplex& complex, const Ground& ground, const CellShape& shape,
+                  const PruneOptions& options, const CellRequests& requests);
 /// The modes that measure nothing. REQUIRES: mode is not `natural`.
 PruneResult prune(const CellComplex& complex, PruneMode mode);
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <limits>
 
 #include "star.h"
 
@@ -56,7 +56,7 @@ Contours contours_of(const CellComplex& complex, const Ground& ground, const Cel
 
 }  // namespace
 
-SectionRows::SectionRows(int dropped_axis, std::vector<Segment> contour) : axis_(dropped_axis) {
+SectionRows::SectionRows(int dropped_axis, std::span<const Segment> contour) : axis_(dropped_axis) {
   if (contour.empty()) return;
   low_ = high_ = contour[0][1];
   for (const Segment& s : contour) {
@@ -65,16 +65,28 @@ SectionRows::SectionRows(int dropped_axis, std::vector<Segment> contour) : axis_
   }
   rows_ = std::clamp<std::size_t>(contour.size(), 1, kMostRows);
   rows_per_unit_ = high_ > low_ ? static_cast<double>(rows_) / (high_ - low_) : 0;
-  begin_.assign(rows_ + 1, 0);
+  fill_rows(contour);
+}
+
+void SectionRows::fill_rows(std::span<const Segment> contour) {
   const auto for_rows = [&](const Segment& s, auto visit) {
     const auto [first, last] = std::minmax({row_of(s[1]), row_of(s[3])});
     for (std::size_t r = first; r <= last; ++r) visit(r);
   };
-  for (const Segment& s : contour) for_rows(s, [&](std::size_t r) { ++begin_[r + 1]; });
-  std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
-  contour_.resize(begin_.back());
-  std::vector<std::uint32_t> end(begin_.begin(), begin_.end() - 1);
-  for (const Segment& s : contour) for_rows(s, [&](std::size_t r) { contour_[end[r]++] = s; });
+  std::vector<std::uint32_t> count(rows_, 0);
+  for (const Segment& s : contour) for_rows(s, [&](std::size_t r) { ++count[r]; });
+  begin_.reserve(rows_ + 1);
+  begin_.push_back(0);
+  for (const std::uint32_t pieces : count) begin_.push_back(begin_.back() + (pieces + 1) / 2);
+  const Pair nowhere = both(std::numeric_limits<double>::infinity());
+  pieces_.assign(begin_.back(), {nowhere, nowhere, nowhere, nowhere});
+  for (const Segment& s : contour)
+    for_rows(s, [&](std::size_t r) {
+      const std::uint32_t place = --count[r];
+      TwoPieces& two = pieces_[begin_[r] + place / 2];
+      const std::uint32_t k = place % 2;
+      two.u0[k] = s[0], two.v0[k] = s[1], two.u1[k] = s[2], two.v1[k] = s[3];
+    });
 }
 
 std::size_t SectionRows::row_of(double v) const {
@@ -86,15 +98,16 @@ bool SectionRows::contains(Vec3 p) const {
   const auto [u, v] = project(p, axis_);
   if (!(v >= low_ && v < high_)) return false;
   const std::size_t row = row_of(v);
-  bool inside = false;
+  // Without branches: which pieces cross the line of p can't be predicted.
+  const Pair at_u = both(u), at_v = both(v);
+  auto inside = at_u < at_u;  // in neither lane
   for (std::uint32_t i = begin_[row]; i < begin_[row + 1]; ++i) {
-    const Segment& s = contour_[i];
-    // Without branches: which pieces cross the line of p can't be predicted.
-    const bool crosses = (s[1] <= v) != (s[3] <= v);
-    const bool beyond = u < s[0] + (v - s[1]) / (s[3] - s[1]) * (s[2] - s[0]);
+    const TwoPieces& s = pieces_[i];
+    const auto crosses = (s.v0 <= at_v) ^ (s.v1 <= at_v);
+    const auto beyond = at_u < s.u0 + (at_v - s.v0) / (s.v1 - s.v0) * (s.u1 - s.u0);
     inside ^= crosses & beyond;
   }
-  return inside;
+  return ((inside[0] ^ inside[1]) & 1) != 0;
 }
 
 SectionRows rows_of_contour(Vec3 normal, std::span<const std::array<Vec3, 2>> contour) {
@@ -104,15 +117,15 @@ SectionRows rows_of_contour(Vec3 normal, std::span<const std::array<Vec3, 2>> co
     const auto from = project(a, axis), to = project(b, axis);
     segments.push_back({from[0], from[1], to[0], to[1]});
   }
-  return {axis, std::move(segments)};
+  return {axis, segments};
 }
 
 std::vector<SectionRows> section_rows(const CellComplex& complex, const Ground& ground,
                                       const CellShape& shape) {
-  Contours contours = contours_of(complex, ground, shape);
+  const Contours contours = contours_of(complex, ground, shape);
   std::vector<SectionRows> rows;
   for (std::size_t f = 0; f < contours.size(); ++f)
-    rows.emplace_back(dominant_axis(shape.faces[f].normal), std::move(contours[f]));
+    rows.emplace_back(dominant_axis(shape.faces[f].normal), contours[f]);
   return rows;
 }
 

@@ -9,6 +9,7 @@
 #include "cell_complex.h"
 #include "cell_shape.h"
 #include "ground.h"
+#include "pair.h"
 
 namespace crossloft {
 
@@ -19,18 +20,24 @@ class SectionRows {
   using Segment = std::array<double, 4>;  ///< u0, v0, u1, v1
 
   /// `contour`: every piece of the section's boundary once, in any order.
-  SectionRows(int dropped_axis, std::vector<Segment> contour);
+  SectionRows(int dropped_axis, std::span<const Segment> contour);
 
-  bool empty() const { return contour_.empty(); }
+  bool empty() const { return pieces_.empty(); }
   /// Even-odd along the row of p. O(contour pieces in the row), a handful on smooth contours.
   bool contains(Vec3 p) const;
 
  private:
+  /// Two pieces, the second one perhaps at infinity, where nothing crosses it.
+  struct TwoPieces {
+    Pair u0, v0, u1, v1;
+  };
+
   std::size_t row_of(double v) const;
+  void fill_rows(std::span<const Segment> contour);
 
   int axis_;
-  std::vector<Segment> contour_;      ///< row by row
-  std::vector<std::uint32_t> begin_;  ///< of each row in contour_; one more at the end
+  std::vector<TwoPieces> pieces_;     ///< row by row
+  std::vector<std::uint32_t> begin_;  ///< of each row in pieces_; one more at the end
   std::size_t rows_ = 0;
   double low_ = 0, high_ = 0, rows_per_unit_ = 0;
 };

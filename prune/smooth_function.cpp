@@ -73,7 +73,6 @@ std::optional<SmoothFunction> SmoothFunction::through(std::span<const FieldSampl
 }
 
 std::array<double, 2> SmoothFunction::at(Vec3 p, Vec3 q) const {
-  using Pair = double __attribute__((vector_size(16)));
   p = scaled(p), q = scaled(q);
   const Pair x{p.x, q.x}, y{p.y, q.y}, z{p.z, q.z};
   const double* linear = weights_.data() + points_.size();

@@ -42,7 +42,7 @@ inline unsigned slot_of(const std::array<std::uint32_t, 4>& tet, std::uint32_t v
 inline TetName sorted_vertices(const TetMesh& mesh, std::uint32_t t) {
   std::array<std::uint32_t, 4> v = mesh.vertices[t];
   const auto order = [&](unsigned i, unsigned j) {
-    const auto [low, high] = std::minmax({v[i], v[j]});
+    const std::uint32_t low = std::min(v[i], v[j]), high = std::max(v[i], v[j]);
     v[i] = low, v[j] = high;
   };
   order(0, 1), order(2, 3), order(0, 2), order(1, 3), order(1, 2);
@@ -84,21 +84,43 @@ inline unsigned same_corner(const TetMesh& mesh, std::uint32_t t, unsigned corne
   return kEdgeCorner[slot_of(to, from[ends[0]])][slot_of(to, from[ends[1]])];
 }
 
+/// A place on the way around an edge: in a tetrahedron, from one of its facets at the edge to the other one.
+/// Facets are also the slots opposite to them, whose vertices are not on the edge.
+class Turn {
+ public:
+  Turn(std::uint32_t tet, unsigned out, unsigned in) : tet_(tet), out_(out), in_(in) {}
+
+  std::uint32_t tet() const { return tet_; }
+  std::uint8_t out() const { return static_cast<std::uint8_t>(out_); }
+  std::uint8_t in() const { return static_cast<std::uint8_t>(in_); }
+  unsigned corner() const { return opposite_edge(out_, in_); }
+  std::uint32_t next(const TetMesh& mesh) const { return mesh.neighbours[tet_][out_]; }
+
+  /// The vertex opposite to where it came in stays; what is opposite to that is the way out.
+  void enter(const TetMesh& mesh, std::uint32_t n) {
+    const std::uint32_t stays = mesh.vertices[tet_][in_];
+    in_ = facet_towards(mesh, n, tet_);
+    out_ = slot_of(mesh.vertices[n], stays);
+    tet_ = n;
+  }
+
+ private:
+  std::uint32_t tet_;
+  unsigned out_, in_;
+};
+
 /// Calls visit(n, corner of n that is the edge) for the other tetrahedra n around an edge of `start`, once
 /// each: around once, or on both sides as far as the hull. O(degree of the edge).
 template <class Visit>
 void visit_around_edge(const TetMesh& mesh, std::uint32_t start, unsigned corner, Visit&& visit) {
   const unsigned both = kCornerFacets[corner];
-  for (const unsigned side : {both & (~both + 1), both & (both - 1)}) {
-    auto out = static_cast<unsigned>(__builtin_ctz(side));
-    for (std::uint32_t t = start, at = corner;;) {
-      const std::uint32_t n = mesh.neighbours[t][out];
-      if (n == kNone) break;
+  const auto low = static_cast<unsigned>(__builtin_ctz(both)), high = 31U - static_cast<unsigned>(__builtin_clz(both));
+  for (const Turn& side : {Turn(start, low, high), Turn(start, high, low)}) {
+    Turn turn = side;
+    for (std::uint32_t n; (n = turn.next(mesh)) != kNone;) {
       if (n == start) return;
-      at = same_corner(mesh, t, at, n);
-      visit(n, at);
-      out = other_facet(facet_towards(mesh, n, t), at);
-      t = n;
+      turn.enter(mesh, n);
+      visit(n, turn.corner());
     }
   }
 }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "lists.h"
+
 namespace crossloft {
 namespace {
 
@@ -29,7 +31,7 @@ Vec3 unit_normal(const LatticeVector& n) {
 Solid assemble_solid(std::vector<std::array<std::uint32_t, 4>>& tets, const Numbering& numbering,
                      const WorldGrid& grid) {
   for (auto& t : tets) t = canonical(t);
-  std::sort(tets.begin(), tets.end());
+  sort_by_vertex(tets, [](const auto& t) { return t[0]; });
   std::vector<std::uint32_t> number(numbering.points.size(), kNone);
   for (const auto& t : tets)
     for (const std::uint32_t v : t) number[v] = 0;
@@ -39,12 +41,14 @@ Solid assemble_solid(std::vector<std::array<std::uint32_t, 4>>& tets, const Numb
     number[v] = static_cast<std::uint32_t>(solid.points.size());
     solid.points.push_back(grid.from_lattice(numbering.points[v]));
   }
+  solid.tets.reserve(tets.size());
   for (const auto& t : tets) solid.tets.push_back({number[t[0]], number[t[1]], number[t[2]], number[t[3]]});
   return solid;
 }
 
 Surface assemble_surface(const GluedSurface& glued, const Numbering& numbering, const WorldGrid& grid) {
   Surface surface;
+  surface.points.reserve(glued.vertices.size());
   for (const SurfaceVertex& v : glued.vertices) {
     const Vec3 a = grid.from_lattice(numbering.points[v.a]);
     surface.points.push_back(v.is_midpoint() ? 0.5 * (a + grid.from_lattice(numbering.points[v.b])) : a);

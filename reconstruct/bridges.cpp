@@ -27,12 +27,9 @@ Triangle side_of(const Tet& piece, std::size_t i) {
 
 class BridgeFinder {
  public:
-  BridgeFinder(const BuiltCell& cell, const std::vector<std::uint8_t>& kept,
+  BridgeFinder(const BuiltCell& cell, const Ground& ground, const std::vector<std::uint8_t>& kept,
                std::span<const LatticePoint> points)
-      : cell_(cell),
-        points_(points),
-        ground_(cell.complex),
-        fans_(broken_fans(cell.complex, ground_, kept)) {}
+      : cell_(cell), points_(points), fans_(broken_fans(cell.complex, ground, kept)) {}
 
   CellBridges run() {
     for (const BrokenFan& fan : fans_)
@@ -173,8 +170,7 @@ class BridgeFinder {
       break;
     }
     for (std::size_t k = 0; k < 2; ++k) {
-      const Facet& f = ground_.facet(fan.ground[k]);
-      bridge.ground[k] = cell_.ground[f.tet][f.facet];
+      bridge.ground[k] = cell_.ground[fan.ground[k]];
       bridge.edge[k] = cell_.vertices[fan.edge[k]];
     }
     result_.bridges.push_back(std::move(bridge));
@@ -182,7 +178,6 @@ class BridgeFinder {
 
   const BuiltCell& cell_;
   std::span<const LatticePoint> points_;
-  const Ground ground_;
   const std::vector<BrokenFan> fans_;
   std::map<std::uint32_t, std::vector<Edge>> edges_;                 ///< by tetrahedron: whose gaps it is in
   std::map<std::pair<std::uint32_t, Edge>, std::uint32_t> centres_;  ///< by centre_key(): number
@@ -192,9 +187,9 @@ class BridgeFinder {
 
 }  // namespace
 
-CellBridges find_bridges(const BuiltCell& cell, const std::vector<std::uint8_t>& kept,
+CellBridges find_bridges(const BuiltCell& cell, const Ground& ground, const std::vector<std::uint8_t>& kept,
                          std::span<const LatticePoint> points) {
-  return BridgeFinder(cell, kept, points).run();
+  return BridgeFinder(cell, ground, kept, points).run();
 }
 
 bool BuiltBridges::fits(const Bridge& bridge) const {

@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "../geom/lattice.h"
+#include "../prune/ground.h"
 #include "cell_builder.h"
 
 namespace crossloft {
@@ -42,7 +43,8 @@ struct CellBridges {
 /// All broken fans of a cell, with the pieces that would close them. Every orientation is tested exactly: a
 /// gap too thin for the grid has no pieces, and none has one that ends at a section triangle with a side
 /// outside of another section. Pieces of different bridges of a cell are equal or do not overlap. O(n log n).
-CellBridges find_bridges(const BuiltCell& cell, const std::vector<std::uint8_t>& kept,
+/// REQUIRES: the ground is that of the cell's complex.
+CellBridges find_bridges(const BuiltCell& cell, const Ground& ground, const std::vector<std::uint8_t>& kept,
                          std::span<const LatticePoint> points);
 
 /// Those bridges of one cell that are built.

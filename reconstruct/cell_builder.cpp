@@ -19,14 +19,11 @@ class CellBuilder {
 
  private:
   void sort_vertices(const CellTriangulation& triangulation);
+  void number_faces();
   GroundedTable fill_table() const;
-  bool classify_facet(std::uint32_t t, std::size_t i, GroundedTable& table);
-  void classify_other_edges(GroundedTable& table);
-  bool classify(GroundedTable& table);
-  std::uint32_t local(std::uint32_t number) const {
-    const auto& v = cell_.vertices;
-    return static_cast<std::uint32_t>(std::lower_bound(v.begin(), v.end(), number) - v.begin());
-  }
+  bool classify_facet(std::uint32_t t, std::size_t i, const GroundedTable& table);
+  void classify_other_edges();
+  bool classify(const GroundedTable& table);
   /// Number of faces that all the given local vertices share, at most 2.
   template <class... V>
   int shared_faces(V... v) const {
@@ -35,13 +32,14 @@ class CellBuilder {
       count += __builtin_popcountll((cell_.complex.faces_of(v)[w] & ...));
     return count;
   }
-  EdgeKind edge_kind(std::uint32_t a, std::uint32_t b, GroundedTable& table) const;
+  EdgeKind edge_kind(std::uint32_t a, std::uint32_t b) const;
 
   std::span<const CellFace> faces_;
   const LineEdges& line_edges_;
   std::span<const std::uint32_t> graph_vertex_of_;
   BuiltCell cell_;
-  std::vector<std::uint32_t> triangle_base_;  ///< by face: number of its first triangle in the cell
+  std::vector<std::vector<std::uint32_t>> numbers_;  ///< by face: its vertices in the cell
+  std::vector<std::uint32_t> triangle_base_;         ///< by face: number of its first triangle in the cell
   std::uint32_t grounded_ = 0;                ///< hull facets on faces
 };
 
@@ -70,38 +68,43 @@ void CellBuilder::sort_vertices(const CellTriangulation& triangulation) {
     for (std::uint32_t& v : tet) v = place[v];
 }
 
-/// Triangles as numbers in the cell; edges as their kind.
-GroundedTable CellBuilder::fill_table() const {
-  std::size_t count = 0;
-  for (const CellFace& face : faces_)
-    count += face.triangulation->triangles.size() + face.triangulation->edges.size();
-  GroundedTable table(count);
-  for (std::size_t f = 0; f < faces_.size(); ++f) {
-    const FaceTriangulation& face = *faces_[f].triangulation;
-    std::vector<std::uint32_t> number;
-    for (const std::uint32_t v : faces_[f].numbers) number.push_back(local(v));
-    for (std::uint32_t t = 0; t < face.triangles.size(); ++t) {
-      const auto& v = face.triangles[t];
-      table.insert({number[v[0]], number[v[1]], number[v[2]]}, triangle_base_[f] + t);
+/// The vertices of a face come in order, but for what was added: mostly the next one is near.
+void CellBuilder::number_faces() {
+  const std::vector<std::uint32_t>& all = cell_.vertices;
+  for (const CellFace& face : faces_) {
+    std::vector<std::uint32_t>& numbers = numbers_.emplace_back();
+    numbers.reserve(face.numbers.size());
+    auto at = all.begin();
+    for (const std::uint32_t v : face.numbers) {
+      if (at == all.end() || *at > v) at = all.begin();
+      std::ptrdiff_t step = 1;
+      while (all.end() - at > step && at[step] < v) at += step, step *= 2;
+      at = std::lower_bound(at, at + std::min(step + 1, all.end() - at), v);
+      numbers.push_back(static_cast<std::uint32_t>(at - all.begin()));
     }
-    for (const FaceEdge& e : face.edges)
-      table.insert({number[e.a], number[e.b], kNone}, static_cast<std::uint32_t>(e.kind));
+  }
+}
+
+GroundedTable CellBuilder::fill_table() const {
+  GroundedTable table(cell_.vertices.size(), triangle_base_.back());
+  for (std::size_t f = 0; f < faces_.size(); ++f) {
+    const std::vector<std::uint32_t>& number = numbers_[f];
+    for (const auto& v : faces_[f].triangulation->triangles) table.add({number[v[0]], number[v[1]], number[v[2]]});
   }
   return table;
 }
 
-EdgeKind CellBuilder::edge_kind(std::uint32_t a, std::uint32_t b, GroundedTable& table) const {
+/// Between vertices of a face without triangles: there is no such edge in a face's triangulation.
+EdgeKind CellBuilder::edge_kind(std::uint32_t a, std::uint32_t b) const {
   const int shared = shared_faces(a, b);
   if (shared == 0) return EdgeKind::free;
-  if (const std::uint32_t kind = table.find({a, b, kNone}); kind != kNone) return static_cast<EdgeKind>(kind);
-  // Only a face whose vertices span no area has an edge outside its triangulation.
   return shared >= 2
              ? line_edges_.kind(graph_vertex_of_[cell_.vertices[a]], graph_vertex_of_[cell_.vertices[b]])
              : EdgeKind::external;
 }
 
 /// Kind and triangle of facet i of t, if it is on a face; false if the face has no such triangle.
-bool CellBuilder::classify_facet(std::uint32_t t, std::size_t i, GroundedTable& table) {
+bool CellBuilder::classify_facet(std::uint32_t t, std::size_t i, const GroundedTable& table) {
   CellComplex& complex = cell_.complex;
   const auto& v = complex.mesh.vertices[t];
   const auto& s = kFacetSlots[i];
@@ -110,16 +113,20 @@ bool CellBuilder::classify_facet(std::uint32_t t, std::size_t i, GroundedTable& 
   if (number == kNone) return false;
   ++grounded_;
   const auto above = std::upper_bound(triangle_base_.begin(), triangle_base_.end(), number);
-  const auto face = static_cast<std::uint32_t>(above - triangle_base_.begin() - 1);
-  const std::uint32_t triangle = number - triangle_base_[face];
-  const bool inside = faces_[face].triangulation->internal[triangle] != 0;
+  const auto f = static_cast<std::uint32_t>(above - triangle_base_.begin() - 1);
+  const std::uint32_t triangle = number - triangle_base_[f];
+  const FaceTriangulation& face = *faces_[f].triangulation;
+  const bool inside = face.internal[triangle] != 0;
   complex.facets[t][i] = inside ? FacetKind::internal : FacetKind::external;
-  if (inside) cell_.ground[t][i] = {face, triangle};
+  if (inside) cell_.ground.push_back({f, triangle});
+  const auto& corners = face.triangles[triangle];
   for (std::size_t k = 0; k < 3; ++k) {
     const unsigned corner = kEdgeCorner[s[k]][s[(k + 1) % 3]];
     EdgeKind& kind = complex.edges[t][corner - 4];
     if (kind != EdgeKind::free) continue;  // known from the hull facet on its other side
-    kind = edge_kind(v[s[k]], v[s[(k + 1) % 3]], table);
+    const std::uint32_t opposite = v[s[(k + 2) % 3]];
+    const std::size_t side = numbers_[f][corners[0]] == opposite ? 0 : numbers_[f][corners[1]] == opposite ? 1 : 2;
+    kind = face.edges[face.sides[triangle][side]].kind;
     visit_around_edge(complex.mesh, t, corner,
                       [&, kind](std::uint32_t n, unsigned at) { complex.edges[n][at - 4] = kind; });
   }
@@ -127,31 +134,30 @@ bool CellBuilder::classify_facet(std::uint32_t t, std::size_t i, GroundedTable& 
 }
 
 /// Between vertices of a face without triangles, which no hull facet leads to.
-void CellBuilder::classify_other_edges(GroundedTable& table) {
+void CellBuilder::classify_other_edges() {
   CellComplex& complex = cell_.complex;
   for (std::uint32_t t = 0; t < complex.mesh.size(); ++t)
     for (std::size_t e = 0; e < 6; ++e) {
       const auto& v = complex.mesh.vertices[t];
       EdgeKind& kind = complex.edges[t][e];
-      if (kind == EdgeKind::free) kind = edge_kind(v[kEdgeSlots[e][0]], v[kEdgeSlots[e][1]], table);
+      if (kind == EdgeKind::free) kind = edge_kind(v[kEdgeSlots[e][0]], v[kEdgeSlots[e][1]]);
     }
 }
 
 /// False if the hull facets on the faces are not the faces' triangles. Edges are looked up once, from the
 /// hull, and told to all tetrahedra around them.
-bool CellBuilder::classify(GroundedTable& table) {
+bool CellBuilder::classify(const GroundedTable& table) {
   CellComplex& complex = cell_.complex;
   const std::uint32_t n = complex.mesh.size();
   complex.facets.assign(n, {});
   complex.edges.assign(n, {});
-  cell_.ground.assign(n, {GroundTriangle{kNone, 0}, {kNone, 0}, {kNone, 0}, {kNone, 0}});
   for (std::uint32_t t = 0; t < n; ++t)
     for (std::size_t i = 0; i < 4; ++i)
       if (complex.mesh.neighbours[t][i] == kNone && !classify_facet(t, i, table)) return false;
   const bool spans_area = std::all_of(faces_.begin(), faces_.end(), [](const CellFace& face) {
     return !face.triangulation->triangles.empty() || face.numbers.size() < 2;
   });
-  if (!spans_area) classify_other_edges(table);
+  if (!spans_area) classify_other_edges();
   return grounded_ == triangle_base_.back();
 }
 
@@ -162,8 +168,8 @@ Result<BuiltCell> CellBuilder::run(const CellTriangulation& triangulation) {
   for (const CellFace& face : faces_)
     triangle_base_.push_back(triangle_base_.back() +
                              static_cast<std::uint32_t>(face.triangulation->triangles.size()));
-  GroundedTable table = fill_table();
-  if (!classify(table))
+  number_faces();
+  if (!classify(fill_table()))
     return make_error(ErrorCode::internal, "a cell's hull differs from its face triangulations");
   return std::move(cell_);
 }

@@ -18,8 +18,8 @@ struct GroundTriangle {
 struct BuiltCell {
   std::vector<std::uint32_t> vertices;  ///< final numbers, ascending; local number = position
   CellComplex complex;
-  /// [t][i]: the internal triangle under facet i of tetrahedron t, face kNone where there is none.
-  std::vector<std::array<GroundTriangle, 4>> ground;
+  /// The triangles under the internal facets, in the order of tetrahedra and slots: by number in prune/ground.h.
+  std::vector<GroundTriangle> ground;
 };
 
 /// Classifies R0. Local numbers of the result are in the order of the final ones. Without tetrahedra the complex is empty.

@@ -30,9 +30,13 @@ void add_up(const CellReport& cell, TopologyReport& sum) {
 
 std::vector<GroundTriangle> ground_under(const BuiltCell& cell, const std::vector<std::uint8_t>& kept) {
   std::vector<GroundTriangle> list;
-  for (std::size_t t = 0; t < kept.size(); ++t)
-    for (const GroundTriangle& ground : cell.ground[t])
-      if (kept[t] != 0 && ground.face != kNone) list.push_back(ground);
+  auto next = cell.ground.begin();
+  for (std::size_t t = 0; t < kept.size(); ++t) {
+    const auto& kinds = cell.complex.facets[t];
+    const auto last = next + std::count(kinds.begin(), kinds.end(), FacetKind::internal);
+    if (kept[t] != 0) list.insert(list.end(), next, last);
+    next = last;
+  }
   return list;
 }
 
@@ -40,22 +44,20 @@ std::vector<GroundTriangle> ground_under(const BuiltCell& cell, const std::vecto
 void take_kept(const BuiltCell& cell, const std::vector<std::uint8_t>& kept, CellState& state) {
   const TetMesh& mesh = cell.complex.mesh;
   std::vector<std::uint32_t> position(kept.size(), kNone);
-  state.tets.clear();
-  state.partners.clear();
-  state.ground.clear();
+  const auto count = static_cast<std::size_t>(std::count(kept.begin(), kept.end(), std::uint8_t{1}));
+  state.tets.resize(count);
+  state.partners.assign(count, {kNone, kNone, kNone, kNone});
+  state.ground = ground_under(cell, kept);
   state.feet.clear();
+  state.feet.reserve(state.ground.size());
+  std::uint32_t next = 0;
   for (std::uint32_t t = 0; t < kept.size(); ++t) {
     if (kept[t] == 0) continue;
-    const auto at = position[t] = static_cast<std::uint32_t>(state.tets.size());
-    auto& tet = state.tets.emplace_back();
-    state.partners.push_back({kNone, kNone, kNone, kNone});
+    const std::uint32_t at = position[t] = next++;
     for (std::size_t i = 0; i < 4; ++i) {
-      tet[i] = cell.vertices[mesh.vertices[t][i]];
+      state.tets[at][i] = cell.vertices[mesh.vertices[t][i]];
       const auto facet = 4 * at + static_cast<std::uint32_t>(i);
-      if (cell.ground[t][i].face != kNone) {
-        state.ground.push_back(cell.ground[t][i]);
-        state.feet.push_back(facet);
-      }
+      if (cell.complex.facets[t][i] == FacetKind::internal) state.feet.push_back(facet);
       const std::uint32_t n = mesh.neighbours[t][i];
       if (n == kNone || position[n] == kNone) continue;  // the later one of two joins them
       const unsigned back = facet_towards(mesh, n, t);
@@ -102,13 +104,14 @@ void Pipeline::cover_finally() {
 }
 
 PruneResult Pipeline::prune_built(CellId id, std::span<const FaceId> ids, std::span<const CellFace> faces,
-                                  const BuiltCell& cell, const CellRequests& asked) const {
-  if (options_.mode != PruneMode::natural) return prune(cell.complex, {}, {options_.mode, {}});
+                                  const BuiltCell& cell, const Ground& ground,
+                                  const CellRequests& asked) const {
+  if (options_.mode != PruneMode::natural) return prune(cell.complex, ground, {}, {options_.mode, {}}, {});
   CellRequests requests = by_local_numbers(asked, cell);
   requests.wishes = cell_wishes(options_.joins, faces, cell);
   CellShape shape = cell_shape(*arrangement_, id, ids, cell, numbering_);
   shape.field = field_.get();
-  return prune(cell.complex, shape, {options_.mode, options_.natural}, requests);
+  return prune(cell.complex, ground, shape, {options_.mode, options_.natural}, requests);
 }
 
 /// Joins by places instead of the cell's vertices.
@@ -154,7 +157,8 @@ Result<Done> Pipeline::prune_cell(CellId id, CellState& state) {
   BuiltCell& cell = *built;
   if (cell.complex.mesh.size() == 0) return Done{};
   Stopwatch watch;
-  PruneResult pruned = prune_built(id, ids, faces, cell, state.asked);
+  const Ground ground(cell.complex);
+  PruneResult pruned = prune_built(id, ids, faces, cell, ground, state.asked);
   if (auto good = check_pruned(cell, pruned); !good) return good;
   CellReport& report = state.report;
   report.faces = static_cast<std::uint32_t>(faces.size());
@@ -166,7 +170,8 @@ Result<Done> Pipeline::prune_cell(CellId id, CellState& state) {
   state.pruning_seconds += watch.lap();
   take_kept(cell, pruned.kept, state);
   state.answers = by_final_numbers(std::move(pruned.answers), ids, cell);
-  if (options_.mode == PruneMode::natural) state.bridges = find_bridges(cell, pruned.kept, numbering_.points);
+  if (options_.mode == PruneMode::natural)
+    state.bridges = find_bridges(cell, ground, pruned.kept, numbering_.points);
   // Natural may leave a section no more than a spike that no solid subset would have: it lacks samples even
   // so. Where natural is solid and covers all, so does the largest solid subset.
   const CellTopology& topology = pruned.natural.after;

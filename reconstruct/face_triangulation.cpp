@@ -196,9 +196,15 @@ Result<Done> FaceBuilder::label() {
 }
 
 void FaceBuilder::collect_edges() {
+  result_.sides.resize(mesh_.size());
   for (std::uint32_t t = 0; t < mesh_.size(); ++t)
     for (std::uint32_t i = 0; i < 3; ++i) {
-      if (const std::uint32_t n = mesh_.neighbours[t][i]; n != kNone && n < t) continue;
+      if (const std::uint32_t n = mesh_.neighbours[t][i]; n != kNone && n < t) {
+        const auto& back = mesh_.neighbours[n];
+        result_.sides[t][i] = result_.sides[n][back[0] == t ? 0 : back[1] == t ? 1 : 2];
+        continue;
+      }
+      result_.sides[t][i] = static_cast<std::uint32_t>(result_.edges.size());
       const std::uint32_t a = mesh_.vertices[t][(i + 1) % 3], b = mesh_.vertices[t][(i + 2) % 3];
       const EdgeKind kind = wall_at_[t][i]             ? EdgeKind::contour
                             : result_.internal[t] != 0 ? EdgeKind::internal

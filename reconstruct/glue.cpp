@@ -1,6 +1,7 @@
 #include "glue.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <numeric>
 #include <utility>
@@ -9,6 +10,7 @@
 #include "../geom/disjoint_sets.h"
 #include "../geom/parallel.h"
 #include "../prune/star.h"
+#include "lists.h"
 #include "self_check.h"
 
 namespace crossloft {
@@ -38,22 +40,6 @@ Triple rotated(const Triple& t) {
   if (t[1] < t[0] && t[1] < t[2]) return {t[1], t[2], t[0]};
   if (t[2] < t[0] && t[2] < t[1]) return {t[2], t[0], t[1]};
   return t;
-}
-
-/// Sorts by the first vertex in linear time, then within the few that have the same one.
-template <class Item, class FirstVertex>
-void sort_by_vertex(std::vector<Item>& items, FirstVertex first_vertex) {
-  std::uint32_t count = 0;
-  for (const Item& item : items) count = std::max(count, first_vertex(item) + 1);
-  std::vector<std::uint32_t> begin(std::size_t{count} + 1, 0);
-  for (const Item& item : items) ++begin[first_vertex(item) + std::size_t{1}];
-  std::partial_sum(begin.begin(), begin.end(), begin.begin());
-  std::vector<Item> sorted(items.size());
-  std::vector<std::uint32_t> next(begin);
-  for (const Item& item : items) sorted[next[first_vertex(item)]++] = item;
-  for (std::uint32_t v = 0; v < count; ++v)
-    std::sort(sorted.begin() + begin[v], sorted.begin() + begin[v + std::size_t{1}]);
-  items = std::move(sorted);
 }
 
 Error failure(ErrorCode code, const char* message) {
@@ -161,35 +147,52 @@ std::vector<std::uint32_t> all_partners(Tets tets) {
 constexpr std::uint32_t kBoundaryMark = 1U << 31;
 bool is_boundary(std::uint32_t partner) { return (partner & kBoundaryMark) != 0; }
 
-/// The boundary's triangles with the smallest vertex first, sorted.
-std::vector<Triple> collect_boundary(Tets tets, std::vector<std::uint32_t>& partner) {
-  std::vector<std::pair<Triple, std::uint32_t>> found;
-  for (std::uint32_t f = 0; f < partner.size(); ++f) {
-    if (partner[f] == kNone) found.emplace_back(rotated(outward(tets, f)), f);
-  }
-  sort_by_vertex(found, [](const auto& entry) { return entry.first[0]; });
-  std::vector<Triple> triangles;
-  triangles.reserve(found.size());
-  for (const auto& [triangle, facet] : found) {
-    partner[facet] = kBoundaryMark | static_cast<std::uint32_t>(triangles.size());
-    triangles.push_back(triangle);
-  }
-  return triangles;
+/// Calls visit(facet, triangle with its smallest vertex first) for what has no partner.
+template <class Visit>
+void for_boundary(Tets tets, const std::vector<std::uint32_t>& partner, Visit visit) {
+  for (std::uint32_t f = 0; f < partner.size(); ++f)
+    if (partner[f] == kNone) visit(f, rotated(outward(tets, f)));
 }
 
-/// The boundary triangle at the other end of the solid wedge at edge (a, b): from facet to facet around the
-/// edge, through the tetrahedra between them.
+/// The boundary's triangles, sorted: by their first vertex in linear time, then the few that have the same one.
+void collect_boundary(Tets tets, std::vector<std::uint32_t>& partner, PairedBoundary& boundary) {
+  std::vector<std::uint32_t> begin;  // by first vertex
+  for_boundary(tets, partner, [&](std::uint32_t, const Triple& t) {
+    if (t[0] + std::size_t{1} >= begin.size()) begin.resize(t[0] + t[0] / 2 + std::size_t{2}, 0);
+    ++begin[t[0] + std::size_t{1}];
+  });
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  struct Entry {
+    std::uint32_t second, third, facet;
+    bool operator<(const Entry& o) const { return second != o.second ? second < o.second : third < o.third; }
+  };
+  std::vector<Entry> found(begin.empty() ? 0 : begin.back());
+  for_boundary(tets, partner,
+               [&](std::uint32_t f, const Triple& t) { found[begin[t[0]]++] = {t[1], t[2], f}; });
+  // Now begin[v] is where those of v end.
+  boundary.triangles.reserve(found.size());
+  boundary.facets.reserve(found.size());
+  for (std::uint32_t v = 0, first = 0; first < found.size(); first = begin[v++]) {
+    std::sort(found.begin() + first, found.begin() + begin[v]);
+    for (std::uint32_t k = first; k < begin[v]; ++k) {
+      partner[found[k].facet] = kBoundaryMark | k;
+      boundary.triangles.push_back({v, found[k].second, found[k].third});
+      boundary.facets.push_back(found[k].facet);
+    }
+  }
+}
+
+/// The boundary triangle at the other end of the solid wedge at an edge of a facet, the one without the vertex
+/// `stays`: from facet to facet around the edge, through the tetrahedra between them.
 std::uint32_t across_wedge(Tets tets, const std::vector<std::uint32_t>& partner, std::uint32_t facet,
-                           std::uint32_t a, std::uint32_t b) {
+                           std::uint32_t stays) {
   for (;;) {
+    // The way out is opposite to what came in before last, the only other vertex that is not on the edge.
     const auto& tet = tets[facet / 4];
-    const unsigned corner = kEdgeCorner[slot_of(tet, a)][slot_of(tet, b)];
-    const unsigned other = static_cast<unsigned>(kCornerFacets[corner]) & ~(1U << facet % 4);
-    unsigned slot = 0;
-    while ((other >> slot & 1U) == 0) ++slot;
-    facet = facet / 4 * 4 + slot;
-    if (is_boundary(partner[facet])) return partner[facet] & ~kBoundaryMark;
-    facet = partner[facet];
+    const std::uint32_t opposite = tet[facet % 4];
+    facet = partner[facet / 4 * 4 + slot_of(tet, stays)];
+    if (is_boundary(facet)) return facet & ~kBoundaryMark;
+    stays = opposite;
   }
 }
 
@@ -198,16 +201,20 @@ std::uint32_t across_wedge(Tets tets, const std::vector<std::uint32_t>& partner,
 std::uint32_t next_corner(std::uint32_t corner) { return corner % 3 == 2 ? corner - 2 : corner + 1; }
 
 /// mate[s] = the side paired with side s. In the order of the tetrahedra: walking around edges in the order
-/// of the triangles would jump from cell to cell.
+/// of the triangles would jump from cell to cell. Whoever comes first to one of two sides tells both.
 std::vector<std::uint32_t> pair_sides(Tets tets, const std::vector<std::uint32_t>& partner,
                                       std::span<const Triple> triangles, const Context& context) {
-  std::vector<std::uint32_t> mate(3 * triangles.size());
+  std::vector<std::uint32_t> mate(3 * triangles.size(), kNone);
+  const auto at = [&](std::uint32_t side) { return std::atomic_ref<std::uint32_t>(mate[side]); };
   const auto pair = [&](std::uint32_t facet, std::uint32_t side) {
+    if (at(side).load(std::memory_order_relaxed) != kNone) return;
     const Triple& triangle = triangles[side / 3];
-    const std::uint32_t a = triangle[side % 3], b = triangle[(side + 1) % 3];
-    const std::uint32_t other = across_wedge(tets, partner, facet, a, b);
+    const std::uint32_t end = triangle[(side + 1) % 3];
+    const std::uint32_t other = across_wedge(tets, partner, facet, triangle[(side + 2) % 3]);
     const Triple& met = triangles[other];
-    mate[side] = 3 * other + static_cast<std::uint32_t>(std::find(met.begin(), met.end(), b) - met.begin());
+    const std::uint32_t found = 3 * other + (met[0] == end ? 0U : met[1] == end ? 1U : 2U);
+    at(side).store(found, std::memory_order_relaxed);
+    at(found).store(side, std::memory_order_relaxed);
   };
   for_blocks(tets.size(), context, [&](std::uint32_t first, std::uint32_t last) {
     for (std::uint32_t f = 4 * first; f < 4 * last; ++f)
@@ -224,77 +231,114 @@ struct Side {
   friend auto operator<=>(const Side&, const Side&) = default;
 };
 
+/// Calls visit(first, last) for each run of two or more sides with the same ends.
+template <class Visit>
+void for_shared(const std::vector<Side>& sides, Visit visit) {
+  for (std::size_t first = 0, last = 0; first < sides.size(); first = last) {
+    while (last < sides.size() && sides[last].a == sides[first].a && sides[last].b == sides[first].b) ++last;
+    if (last - first > 1) visit(first, last);
+  }
+}
+
 /// Cuts the boundary apart; see the header for the rules.
 class Cutter {
  public:
   Cutter(const std::vector<Triple>& triangles, const std::vector<std::uint32_t>& mate)
-      : triangles_(triangles), mate_(mate), midpoint_(mate.size(), kNone), copy_(mate.size()) {}
+      : triangles_(triangles), mate_(mate), copy_(mate.size(), kNone) {}
 
   GluedSurface run() {
-    count_pinched_edges();
     make_copies();
     split_shared_edges();
-    for (std::uint32_t t = 0; t < triangles_.size(); ++t) emit(t);
+    surface_.triangles.reserve(triangles_.size());
+    for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
+      if (midpoint_.empty())
+        emit(copy_[3 * t], copy_[3 * t + 1], copy_[3 * t + 2]);
+      else
+        emit(t);
+    }
     return std::move(surface_);
   }
 
  private:
+  /// By its smallest corner.
+  struct UmbrellaAt {
+    std::uint32_t vertex, corner;
+    friend auto operator<=>(const UmbrellaAt&, const UmbrellaAt&) = default;
+  };
+
   std::uint32_t input_vertex(std::uint32_t corner) const { return triangles_[corner / 3][corner % 3]; }
-  bool leads(std::uint32_t side) const { return side < mate_[side]; }
 
-  /// One entry for each pair of sides, sorted by the ends that `end(corner)` gives.
-  template <class End>
-  std::vector<Side> sorted_edges(End end) const {
-    std::vector<Side> edges;
-    edges.reserve(mate_.size() / 2);
-    for (std::uint32_t s = 0; s < mate_.size(); ++s) {
-      if (!leads(s)) continue;
-      const auto [a, b] = std::minmax({end(s), end(next_corner(s))});
-      edges.push_back({a, b, s});
-    }
-    sort_by_vertex(edges, [](const Side& side) { return side.a; });
-    return edges;
-  }
-
-  /// Calls visit(first, last) for each run of two or more edges with the same ends.
+  /// Calls visit(corner) around the umbrella: the side that starts there is a spoke.
   template <class Visit>
-  static void for_shared(const std::vector<Side>& edges, Visit visit) {
-    for (std::size_t first = 0, last = 0; first < edges.size(); first = last) {
-      while (last < edges.size() && edges[last].a == edges[first].a && edges[last].b == edges[first].b)
-        ++last;
-      if (last - first > 1) visit(first, last);
-    }
+  void walk(std::uint32_t corner, Visit visit) {
+    std::uint32_t c = corner;
+    do {
+      visit(c);
+      c = next_corner(mate_[c]);
+    } while (c != corner);
   }
 
-  void count_pinched_edges() {
-    const auto edges = sorted_edges([&](std::uint32_t corner) { return input_vertex(corner); });
-    for_shared(edges, [&](std::size_t, std::size_t) { ++surface_.pinched_edges; });
-  }
-
-  /// A vertex for each umbrella, in the order of (input vertex, its first corner).
-  void make_copies() {
-    DisjointSets umbrellas(mate_.size());
-    for (std::uint32_t s = 0; s < mate_.size(); ++s) {
-      umbrellas.join(s, next_corner(mate_[s]));
-    }
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> roots;
+  std::vector<UmbrellaAt> find_umbrellas() {
+    constexpr std::uint32_t kSeen = 0;
+    std::vector<UmbrellaAt> umbrellas;
     for (std::uint32_t c = 0; c < mate_.size(); ++c) {
-      if (umbrellas.is_root(c)) roots.emplace_back(input_vertex(c), c);
+      if (copy_[c] == kSeen) continue;
+      umbrellas.push_back({input_vertex(c), c});
+      walk(c, [&](std::uint32_t corner) { copy_[corner] = kSeen; });
     }
-    std::sort(roots.begin(), roots.end());
-    for (std::size_t i = 0; i < roots.size(); ++i) {
-      const bool repeats = i > 0 && roots[i - 1].first == roots[i].first;
-      if (repeats) ++surface_.copies;
-      if (repeats && (i == 1 || roots[i - 2].first != roots[i].first)) ++surface_.pinched_vertices;
-      copy_[roots[i].second] = static_cast<std::uint32_t>(i);
-      surface_.vertices.push_back({roots[i].first, kNone});
-    }
-    for (std::uint32_t c = 0; c < mate_.size(); ++c) copy_[c] = copy_[umbrellas.find(c)];
+    sort_by_vertex(umbrellas, [](const UmbrellaAt& u) { return u.vertex; });
+    return umbrellas;
   }
 
-  /// A midpoint for each wedge at an edge that several wedges have in common even by copies.
+  /// A vertex for each umbrella, in the order of (input vertex, its first corner). An edge of several wedges
+  /// has a spoke in each: it is met again from the same input vertex.
+  void make_copies() {
+    const std::vector<UmbrellaAt> umbrellas = find_umbrellas();
+    if (umbrellas.empty()) return;
+    std::vector<std::uint32_t> met_from(umbrellas.back().vertex + std::size_t{1}, kNone);
+    surface_.vertices.reserve(umbrellas.size());
+    for (std::size_t first = 0, last = 0; first < umbrellas.size(); first = last) {
+      const std::uint32_t v = umbrellas[first].vertex;
+      bool is_pinched = false;
+      for (; last < umbrellas.size() && umbrellas[last].vertex == v; ++last) {
+        surface_.vertices.push_back({v, kNone});
+        walk(umbrellas[last].corner, [&](std::uint32_t corner) {
+          copy_[corner] = static_cast<std::uint32_t>(last);
+          std::uint32_t& from = met_from[input_vertex(next_corner(corner))];
+          is_pinched |= from == v;
+          from = v;
+        });
+      }
+      surface_.copies += static_cast<std::uint32_t>(last - first - 1);
+      if (last - first > 1) ++surface_.pinched_vertices;
+      if (is_pinched) find_pinched({umbrellas.data() + first, last - first});
+    }
+  }
+
+  /// Counts edges from one input vertex to larger ones that have several pairs of sides, and lists the pairs.
+  void find_pinched(std::span<const UmbrellaAt> umbrellas) {
+    std::vector<Side> spokes;
+    for (const UmbrellaAt& u : umbrellas)
+      walk(u.corner, [&](std::uint32_t corner) {
+        const std::uint32_t other = input_vertex(next_corner(corner));
+        if (other > u.vertex) spokes.push_back({u.vertex, other, std::min(corner, mate_[corner])});
+      });
+    std::sort(spokes.begin(), spokes.end());
+    for_shared(spokes, [&](std::size_t first, std::size_t last) {
+      ++surface_.pinched_edges;
+      for (std::size_t i = first; i < last; ++i) pinched_.push_back(spokes[i]);
+    });
+  }
+
+  /// A midpoint for each wedge at an edge that several wedges have in common even by copies: it is one of the
+  /// pinched ones.
   void split_shared_edges() {
-    const auto edges = sorted_edges([&](std::uint32_t corner) { return copy_[corner]; });
+    std::vector<Side> edges;
+    for (const Side& side : pinched_) {
+      const auto [a, b] = std::minmax({copy_[side.number], copy_[next_corner(side.number)]});
+      edges.push_back({a, b, side.number});
+    }
+    std::sort(edges.begin(), edges.end());
     std::vector<Side> split;
     for_shared(edges, [&](std::size_t first, std::size_t last) {
       for (std::size_t i = first; i < last; ++i) {
@@ -303,6 +347,8 @@ class Cutter {
         split.push_back({a, b, s});
       }
     });
+    if (split.empty()) return;
+    midpoint_.assign(mate_.size(), kNone);
     std::sort(split.begin(), split.end());
     for (const Side& side : split) {
       const SurfaceVertex middle{side.a, side.b};
@@ -344,8 +390,9 @@ class Cutter {
 
   const std::vector<Triple>& triangles_;
   const std::vector<std::uint32_t>& mate_;
-  std::vector<std::uint32_t> midpoint_;  ///< by side
+  std::vector<Side> pinched_;            ///< at edges with several: one of each pair
   std::vector<std::uint32_t> copy_;      ///< by corner: its vertex of the surface
+  std::vector<std::uint32_t> midpoint_;  ///< by side; empty if there are none
   GluedSurface surface_;
 };
 
@@ -390,7 +437,7 @@ Result<PairedBoundary> pair_boundary(Tets tets, KnownFacets known, const Context
   if (!good) return good.error();
   if (context.cancelled()) return failure(ErrorCode::cancelled, "cancelled");
   PairedBoundary boundary;
-  boundary.triangles = collect_boundary(tets, partner);
+  collect_boundary(tets, partner, boundary);
   boundary.mate = pair_sides(tets, partner, boundary.triangles, context);
   if (context.cancelled()) return failure(ErrorCode::cancelled, "cancelled");
   return boundary;

@@ -62,6 +62,7 @@ Result<GluedSurface> glue(std::span<const std::array<std::uint32_t, 4>> tets, Kn
 /// from corner i of triangle t to the next one, and mate[side] is the side across its edge, through the solid.
 struct PairedBoundary {
   std::vector<std::array<std::uint32_t, 3>> triangles;
+  std::vector<std::uint32_t> facets;  ///< by triangle: 4 * its tetrahedron + slot
   std::vector<std::uint32_t> mate;
 };
 

@@ -40,8 +40,10 @@ SolidInCells Pipeline::solid_in_cells() const {
     const CellState& cell = cells_[c];
     const auto base = static_cast<std::uint32_t>(4 * solid.tets.size());
     solid.tets.insert(solid.tets.end(), cell.tets.begin(), cell.tets.end());
+    solid.known.partner.resize(4 * solid.tets.size(), kNone);
+    std::uint32_t* partner = solid.known.partner.data() + base;
     for (const auto& facets : cell.partners)
-      for (const std::uint32_t f : facets) solid.known.partner.push_back(f == kNone ? kNone : base + f);
+      for (const std::uint32_t f : facets) *partner++ = f == kNone ? kNone : base + f;
     const std::vector<FaceId> ids = inner_faces(CellId{c});
     for (std::size_t i = 0; i < cell.feet.size(); ++i) {
       std::uint32_t& other = first[begin[ids[cell.ground[i].face].value] + cell.ground[i].triangle];

@@ -1,8 +1,10 @@
 #pragma once
-/// Lists by key in two flat arrays.
+/// Lists by key in two flat arrays; sorting by vertex.
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <span>
 #include <utility>
 #include <vector>
@@ -27,5 +29,22 @@ struct Lists {
     return {items.data() + begin[key], begin[key + 1] - begin[key]};
   }
 };
+
+/// Sorts by the first vertex in linear time, then within the few that have the same one. first_vertex(item) is
+/// what items are compared by first.
+template <class Item, class FirstVertex>
+void sort_by_vertex(std::vector<Item>& items, FirstVertex first_vertex) {
+  std::uint32_t count = 0;
+  for (const Item& item : items) count = std::max(count, first_vertex(item) + 1);
+  std::vector<std::uint32_t> begin(std::size_t{count} + 1, 0);
+  for (const Item& item : items) ++begin[first_vertex(item) + std::size_t{1}];
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  std::vector<Item> sorted(items.size());
+  std::vector<std::uint32_t> next(begin);
+  for (const Item& item : items) sorted[next[first_vertex(item)]++] = item;
+  for (std::uint32_t v = 0; v < count; ++v)
+    std::sort(sorted.begin() + begin[v], sorted.begin() + begin[v + std::size_t{1}]);
+  items = std::move(sorted);
+}
 
 }  // namespace crossloft

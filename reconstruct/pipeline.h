@@ -120,7 +120,7 @@ class Pipeline {
   Result<Done> prune_due_cells();
   Result<Done> prune_cell(CellId id, CellState& state);
   PruneResult prune_built(CellId id, std::span<const FaceId> ids, std::span<const CellFace> faces,
-                          const BuiltCell& cell, const CellRequests& asked) const;
+                          const BuiltCell& cell, const Ground& ground, const CellRequests& asked) const;
   Result<Done> check_pruned(const BuiltCell& cell, const PruneResult& pruned) const;
   void report_topology(const BuiltCell& cell, const NaturalReport& natural, CellReport& report) const;
   void cover(std::span<const CellFace> faces, std::span<const FaceId> ids,

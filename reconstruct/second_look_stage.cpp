@@ -17,7 +17,14 @@ namespace {
 /// A bump or a dent is met by one plane, by two at their line or by three at their point: so many cells.
 constexpr std::size_t kMostCellsOfBody = 8;
 
-/// A triangle of the surface and the component that it is in.
+/// A facet of the solid and the component of the surface that it is in.
+struct PieceFacet {
+  std::uint32_t number = 0;  ///< 4 * tetrahedron of the solid + slot
+  std::uint32_t piece = 0;
+  Triangle vertices{};
+};
+
+/// The same by its vertices, ascending.
 struct PieceTriangle {
   Triangle vertices{};
   std::uint32_t piece = 0;
@@ -38,21 +45,26 @@ class SurfacePieces {
 
   std::vector<Piece> take() { return std::move(pieces_); }
 
-  /// Ascending; those with midpoints are left out.
-  std::vector<PieceTriangle> triangles() {
-    std::vector<PieceTriangle> list;
+  /// The facets of a boundary that has been cut apart to this surface, by number; those with midpoints are left
+  /// out.
+  std::vector<PieceFacet> facets(const PairedBoundary& boundary) {
+    std::vector<PieceFacet> list;
+    std::size_t next = 0;
     for (const auto& t : surface_.triangles) {
       const std::uint32_t piece = number_[sets_.find(t[0])];
-      PieceTriangle triangle{{}, piece};
-      bool whole = piece != kNone;
+      if (piece == kNone) continue;
+      Triangle vertices{};
+      bool whole = true;
       for (std::size_t i = 0; i < 3; ++i) {
-        triangle.vertices[i] = surface_.vertices[t[i]].a;
+        vertices[i] = surface_.vertices[t[i]].a;
         whole = whole && !surface_.vertices[t[i]].is_midpoint();
       }
-      std::sort(triangle.vertices.begin(), triangle.vertices.end());
-      if (whole) list.push_back(triangle);
+      if (!whole) continue;
+      // What is whole comes in the order of the boundary, from the same vertex on.
+      while (boundary.triangles[next] != vertices) ++next;
+      list.push_back({boundary.facets[next], piece, vertices});
     }
-    std::sort(list.begin(), list.end());
+    std::sort(list.begin(), list.end(), [](const auto& x, const auto& y) { return x.number < y.number; });
     return list;
   }
 
@@ -90,42 +102,69 @@ class SurfacePieces {
   std::vector<Piece> pieces_;
 };
 
-/// The piece that a facet is part of, kNone if it is of none.
-std::uint32_t piece_of(const std::vector<PieceTriangle>& triangles, const Triangle& facet) {
-  const auto place = std::lower_bound(triangles.begin(), triangles.end(), PieceTriangle{facet, 0});
-  return place != triangles.end() && place->vertices == facet ? place->piece : kNone;
+void sort_vertices(Triangle& facet) { std::sort(facet.begin(), facet.end()); }
+
+/// The facets of one tetrahedron of a cell, as its pieces see them: in the order of the vertices opposite to
+/// them.
+void tell_pieces(std::uint32_t cell, const TetName& tet, std::span<PieceFacet> facets,
+                 std::vector<Piece>& pieces) {
+  std::sort(facets.begin(), facets.end(), [&](const PieceFacet& x, const PieceFacet& y) {
+    return tet[x.number % 4] < tet[y.number % 4];
+  });
+  TetName name = tet;
+  std::sort(name.begin(), name.end());
+  for (PieceFacet& facet : facets) {
+    sort_vertices(facet.vertices);
+    Piece& piece = pieces[facet.piece];
+    if (piece.is_cavity) piece.cavities[cell].push_back(facet.vertices);
+    if (!piece.is_cavity) piece.bodies[cell].push_back(name);
+  }
 }
 
-/// Through the facets of their tetrahedra.
-void find_cells(std::span<const CellState> cells, const std::vector<PieceTriangle>& triangles,
+/// The solid has the tetrahedra of the cells and their bridges, cell by cell; cells don't know of their bridges.
+void find_cells(std::span<const CellState> cells, std::vector<PieceFacet>& facets,
                 std::vector<Piece>& pieces) {
-  for (std::uint32_t c = 0; c < cells.size(); ++c)
-    for (TetName name : cells[c].tets) {
-      std::sort(name.begin(), name.end());
-      for (std::size_t i = 0; i < 4; ++i) {
-        Triangle facet{};
-        std::copy_if(name.begin(), name.end(), facet.begin(), [&](std::uint32_t v) { return v != name[i]; });
-        const std::uint32_t piece = piece_of(triangles, facet);
-        if (piece == kNone) continue;
-        if (pieces[piece].is_cavity) pieces[piece].cavities[c].push_back(facet);
-        if (!pieces[piece].is_cavity) pieces[piece].bodies[c].push_back(name);
-      }
+  std::size_t begin = 0, next = 0;  // tetrahedron of the solid, facet
+  for (std::uint32_t c = 0; c < cells.size(); ++c) {
+    const auto& tets = cells[c].tets;
+    const std::size_t end = begin + tets.size() + cells[c].bridge_tets.size();
+    while (next < facets.size() && facets[next].number / 4 < end) {
+      const std::size_t first = next, tet = facets[first].number / 4;
+      while (next < facets.size() && facets[next].number / 4 == tet) ++next;
+      if (tet - begin < tets.size())
+        tell_pieces(c, tets[tet - begin], {facets.data() + first, next - first}, pieces);
     }
+    begin = end;
+  }
+}
+
+/// The triangles of cavities, ascending.
+std::vector<PieceTriangle> cavity_triangles(std::span<const PieceFacet> facets,
+                                            std::span<const Piece> pieces) {
+  std::vector<PieceTriangle> list;
+  for (const PieceFacet& facet : facets) {
+    if (!pieces[facet.piece].is_cavity) continue;
+    list.push_back({facet.vertices, facet.piece});
+    sort_vertices(list.back().vertices);
+  }
+  std::sort(list.begin(), list.end());
+  return list;
 }
 
 /// A section triangle that is bare on one side: the cavity is in the cell there.
 void find_bare_cells(std::span<const FaceTriangulation> faces, const Numbering& numbering,
-                     const Arrangement& arrangement, const std::vector<PieceTriangle>& triangles,
+                     const Arrangement& arrangement, const std::vector<PieceTriangle>& cavities,
                      std::vector<Piece>& pieces) {
-  for (std::uint32_t f = 0; f < faces.size(); ++f)
+  for (std::uint32_t f = 0; f < faces.size() && !cavities.empty(); ++f)
     for (std::size_t t = 0; t < faces[f].triangles.size(); ++t) {
       if (faces[f].internal[t] == 0) continue;
       Triangle facet{};
       for (std::size_t i = 0; i < 3; ++i) facet[i] = numbering.of_face[f][faces[f].triangles[t][i]];
-      std::sort(facet.begin(), facet.end());
-      const std::uint32_t piece = piece_of(triangles, facet);
-      if (piece == kNone || !pieces[piece].is_cavity) continue;
-      for (const CellId c : arrangement.cells_of(FaceId{f})) pieces[piece].cavities[c.value].push_back(facet);
+      sort_vertices(facet);
+      const auto place = std::lower_bound(cavities.begin(), cavities.end(), PieceTriangle{facet, 0});
+      if (place == cavities.end() || place->vertices != facet) continue;
+      for (const CellId c : arrangement.cells_of(FaceId{f}))
+        pieces[place->piece].cavities[c.value].push_back(facet);
     }
 }
 
@@ -275,9 +314,9 @@ Result<std::vector<Piece>> Pipeline::find_pieces() {
   SurfacePieces found(*glued_, numbering_.points);
   std::vector<Piece> pieces = found.take();
   if (pieces.empty()) return pieces;
-  const std::vector<PieceTriangle> triangles = found.triangles();
-  find_cells(cells_, triangles, pieces);
-  find_bare_cells(faces_, numbering_, *arrangement_, triangles, pieces);
+  std::vector<PieceFacet> facets = found.facets(*boundary);
+  find_cells(cells_, facets, pieces);
+  find_bare_cells(faces_, numbering_, *arrangement_, cavity_triangles(facets, pieces), pieces);
   const bool forbids =
       std::any_of(options_.joins.begin(), options_.joins.end(), [](const auto& j) { return !j.join; });
   const bool keeps = options_.natural.cavity_confidence <= -1;

@@ -1,4 +1,5 @@
 // Minimum cuts against all subsets, against Boost's Boykov-Kolmogorov, and against their own certificate.
+#include "prune/cut_reduction.h"
 #include "prune/min_cut.h"
 
 #include <doctest/doctest.h>
@@ -184,6 +185,7 @@ void check_answer(const CutProblem& problem, const Answer& answer) {
   const MinCut cut = minimum_cut(problem);
   CHECK(cut.value == answer.value);
   CHECK(cut.kept == answer.smallest);
+  CHECK(smallest_cheapest(problem) == answer.smallest);
   CHECK(value_of(problem, cut.kept) == cut.value);
   CHECK(verify(problem, cut));
 }

@@ -144,5 +144,5 @@ TEST_CASE("long contours, each axis dropped: even-odd along the other way") {
 TEST_CASE("no section has no inside") {
   CHECK(SectionRows(2, {}).empty());
   CHECK_FALSE(SectionRows(2, {}).contains({0, 0, 0}));
-  CHECK_FALSE(SectionRows(0, {{1, 5, 2, 5}}).contains({0, 1.5, 5}));  // flat
+  CHECK_FALSE(SectionRows(0, std::vector{SectionRows::Segment{1, 5, 2, 5}}).contains({0, 1.5, 5}));  // flat
 }

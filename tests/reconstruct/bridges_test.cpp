@@ -22,7 +22,7 @@ struct CellCase {
   CellBridges bridges;
 
   CellCase(const BuiltCell& of, std::vector<std::uint8_t> keep, std::span<const LatticePoint> at)
-      : cell(of), kept(std::move(keep)), points(at), bridges(find_bridges(cell, kept, points)) {}
+      : cell(of), kept(std::move(keep)), points(at), bridges(find_bridges(cell, Ground(cell.complex), kept, points)) {}
 
   const LatticePoint& point(std::uint32_t v) const {
     return v < kFirstBridgePoint ? points[v] : bridges.points[v - kFirstBridgePoint];
@@ -219,10 +219,12 @@ TEST_CASE("pieces and kept tetrahedra lead around the edge from one ground trian
   std::size_t built = 0, not_built = 0, bare_ends = 0;
   for_cells(small_scenes(), [&](const CellCase& c) {
     std::map<std::pair<std::uint32_t, std::uint32_t>, Triangle> ground;
-    for (std::size_t t = 0; t < c.kept.size(); ++t)
-      for (unsigned i = 0; i < 4; ++i)
-        if (const GroundTriangle g = c.cell.ground[t][i]; g.face != kNone)
-          ground[{g.face, g.triangle}] = facet_of(c.tet(t), i);
+    const Ground facets(c.cell.complex);
+    REQUIRE(facets.size() == c.cell.ground.size());
+    for (std::uint32_t k = 0; k < facets.size(); ++k) {
+      const GroundTriangle& g = c.cell.ground[k];
+      ground[{g.face, g.triangle}] = facet_of(c.tet(facets.facet(k).tet), facets.facet(k).facet);
+    }
     for (const Bridge& b : c.bridges.bridges) {
       ++(b.pieces.empty() ? not_built : built);
       std::set<Triangle> ends;
@@ -270,6 +272,8 @@ BuiltCell shuffled_cell(const BuiltCell& cell, std::mt19937& random, std::vector
   std::shuffle(from.begin(), from.end(), random);
   for (std::uint32_t t = 0; t < to.size(); ++t) to[from[t]] = t;
   BuiltCell result = cell;
+  const Ground ground(old);
+  result.ground.clear();
   for (std::uint32_t t = 0; t < to.size(); ++t) {
     std::array<std::uint8_t, 4> slot{0, 1, 2, 3};  // [new] = old
     std::rotate(slot.begin() + 1, slot.begin() + 2, slot.end());
@@ -280,7 +284,7 @@ BuiltCell shuffled_cell(const BuiltCell& cell, std::mt19937& random, std::vector
       result.complex.mesh.vertices[t][i] = old.mesh.vertices[o][slot[i]];
       result.complex.mesh.neighbours[t][i] = n == kNone ? kNone : to[n];
       result.complex.facets[t][i] = old.facets[o][slot[i]];
-      result.ground[t][i] = cell.ground[o][slot[i]];
+      if (ground.is_ground(o, slot[i])) result.ground.push_back(cell.ground[ground.at(o, slot[i])]);
     }
     for (unsigned e = 0; e < 6; ++e) {
       const unsigned corner = kEdgeCorner[slot[kEdgeSlots[e][0]]][slot[kEdgeSlots[e][1]]];
@@ -323,10 +327,9 @@ BuiltCell half_turn(std::int64_t size, std::vector<LatticePoint>& points) {
     cell.complex.mesh.neighbours.push_back({kNone, kNone, after, before});
     cell.complex.facets.push_back({});
     cell.complex.edges.push_back({});
-    cell.ground.push_back({GroundTriangle{kNone, 0}, {kNone, 0}, {kNone, 0}, {kNone, 0}});
   }
   cell.complex.facets[0][3] = cell.complex.facets[4][2] = FacetKind::internal;
-  cell.ground[0][3] = {0, 0}, cell.ground[4][2] = {0, 1};
+  cell.ground = {{0, 0}, {0, 1}};
   return cell;
 }
 
@@ -437,7 +440,7 @@ TEST_CASE("a gap too thin for the grid has no pieces, nor have several gaps at a
   const auto pieces = [](std::int64_t size, std::vector<std::uint8_t> kept) {
     std::vector<LatticePoint> points;
     const BuiltCell cell = half_turn(size, points);
-    const CellBridges found = find_bridges(cell, kept, points);
+    const CellBridges found = find_bridges(cell, Ground(cell.complex), kept, points);
     REQUIRE(found.bridges.size() == 1);
     CHECK(found.bridges[0].edge == Edge{0, 1});
     CHECK(found.bridges[0].ground[0].triangle == 0);
