@@ -51,23 +51,21 @@ bool RunMerger::near_segment(std::uint32_t u, std::uint32_t w, std::uint32_t v) 
 
 bool RunMerger::try_remove(std::uint32_t v) {
   const auto [u, w] = chains_.neighbours(v);
-  if (u == w || chains_.joined(u, w)) return false;
-  if (orient2d(plane_, graph_.points[u], graph_.points[w], graph_.points[v]) == 0) return false;
   const auto near = [&, u = u, w = w](std::uint32_t p) { return near_segment(u, w, p); };
   if (!chains_.all_replaced_without(v, near)) return false;
+  if (u == w || chains_.joined(u, w)) return false;
+  if (orient2d(plane_, graph_.points[u], graph_.points[w], graph_.points[v]) == 0) return false;
   chains_.remove(v);
   return true;
 }
 
-/// Vertices of degree 2 in the interior of a face, by coordinates.
+/// Vertices of degree 2 in the interior of a face, by coordinates: by number, as framing left them, since all that were
+/// moved or added since lie on lines.
 std::vector<std::uint32_t> RunMerger::candidates() const {
   std::vector<std::uint32_t> found;
   for (const std::uint32_t v : vertices_)
-    if (chains_.degree(v) == 2 && !graph_.share_line(v, v)) found.push_back(v);
-  std::sort(found.begin(), found.end(), [&](std::uint32_t a, std::uint32_t b) {
-    const int s = compare_lex(graph_.points[a], graph_.points[b]);
-    return s != 0 ? s < 0 : a < b;
-  });
+    if (chains_.degree(v) == 2 && !graph_.on_line(v)) found.push_back(v);
+  std::sort(found.begin(), found.end());
   return found;
 }
 
@@ -84,6 +82,26 @@ bool is_in_order(const SectionGraph& graph, const std::vector<bool>& used) {
   return true;
 }
 
+/// A vertex with what mostly decides its place, so that sorting need not look at the points.
+struct Ordered {
+  double x = 0;
+  std::uint32_t number = 0;
+};
+
+/// The vertices in use in lexicographic order, equal ones by number.
+std::vector<Ordered> in_order(const SectionGraph& graph, const std::vector<bool>& used) {
+  std::vector<Ordered> list;
+  list.reserve(graph.size());
+  for (std::uint32_t v = 0; v < graph.size(); ++v)
+    if (used[v]) list.push_back({graph.points[v].x, v});
+  std::sort(list.begin(), list.end(), [&](const Ordered& a, const Ordered& b) {
+    if (a.x != b.x) return a.x < b.x;  // rounding is monotone
+    const int s = compare_lex(graph.points[a.number], graph.points[b.number]);
+    return s != 0 ? s < 0 : a.number < b.number;
+  });
+  return list;
+}
+
 /// Vertices into lexicographic order, equal ones into one, those without a wall out unless `kept`.
 void renumber(SectionGraph& graph, const std::vector<bool>& kept) {
   std::vector<bool> used = kept;
@@ -93,27 +111,18 @@ void renumber(SectionGraph& graph, const std::vector<bool>& kept) {
     for (auto& walls : graph.walls) cancel_pairs(walls);
     return;
   }
-  std::vector<std::uint32_t> order;
-  for (std::uint32_t v = 0; v < graph.size(); ++v)
-    if (used[v]) order.push_back(v);
-  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-    const int s = compare_lex(graph.points[a], graph.points[b]);
-    return s != 0 ? s < 0 : a < b;
-  });
-  std::vector<std::uint32_t> number(graph.size(), kNone);
-  SectionGraph sorted;
-  sorted.words = graph.words;
-  for (const std::uint32_t v : order) {
-    if (sorted.points.empty() || !equal(sorted.points.back(), graph.points[v])) {
-      sorted.points.push_back(graph.points[v]);
-      sorted.positive.insert(sorted.positive.end(), graph.positive_of(v).begin(), graph.positive_of(v).end());
-      sorted.zero.insert(sorted.zero.end(), graph.zero_of(v).begin(), graph.zero_of(v).end());
+  std::vector<std::uint32_t> number(graph.size(), kNone), rows;
+  std::vector<LatticePoint> points;
+  for (const Ordered& vertex : in_order(graph, used)) {
+    const LatticePoint& point = graph.points[vertex.number];
+    if (points.empty() || !equal(points.back(), point)) {
+      points.push_back(point);
+      rows.push_back(graph.row_of[vertex.number]);
     }
-    number[v] = sorted.size() - 1;
+    number[vertex.number] = static_cast<std::uint32_t>(points.size() - 1);
   }
-  graph.points = std::move(sorted.points);
-  graph.positive = std::move(sorted.positive);
-  graph.zero = std::move(sorted.zero);
+  graph.points = std::move(points);
+  graph.row_of = std::move(rows);
   for (auto& walls : graph.walls) {
     for (Wall& w : walls) w.a = number[w.a], w.b = number[w.b];
     cancel_pairs(walls);
@@ -161,9 +170,10 @@ void cut_touching(SectionGraph& graph, std::uint32_t p) {
 /// Walls along an arrangement edge are cut at every section vertex there, of any plane.
 void cut_along_edges(SectionGraph& graph, const Arrangement& arrangement) {
   std::vector<std::array<std::uint32_t, 2>> on_edge;  // edge, vertex
+  RowLocations location(graph, arrangement);
   for (std::uint32_t v = 0; v < graph.size(); ++v) {
-    if (!graph.share_line(v, v)) continue;
-    const Location at = arrangement.locate({graph.positive_of(v), graph.zero_of(v)});
+    if (!graph.on_line(v)) continue;
+    const Location at = location.of(v);
     if (at.found() && at.dimension == 1) on_edge.push_back({at.index, v});
   }
   std::sort(on_edge.begin(), on_edge.end());
@@ -213,19 +223,20 @@ void cancel_pairs(std::vector<Wall>& walls) {
 }
 
 bool crosses_a_plane(const SectionGraph& graph, const Wall& wall) {
-  const auto pa = graph.positive_of(wall.a), pb = graph.positive_of(wall.b), za = graph.zero_of(wall.a),
-             zb = graph.zero_of(wall.b);
-  for (std::uint32_t w = 0; w < graph.words; ++w)
-    if (((pa[w] ^ pb[w]) & ~za[w] & ~zb[w]) != 0) return true;
+  if (graph.row_of[wall.a] == graph.row_of[wall.b]) return false;
+  const SignView a = graph.signs_of(wall.a), b = graph.signs_of(wall.b);
+  for (std::size_t w = 0; w < a.pos.size(); ++w)
+    if (((a.pos[w] ^ b.pos[w]) & ~a.zero[w] & ~b.zero[w]) != 0) return true;
   return false;
 }
 
 Location wall_location(const SectionGraph& graph, const Arrangement& arrangement, const Wall& wall) {
   if (crosses_a_plane(graph, wall)) return {};
-  std::vector<std::uint64_t> positive(graph.words), zero(graph.words);
-  for (std::uint32_t w = 0; w < graph.words; ++w) {
-    positive[w] = graph.positive_of(wall.a)[w] | graph.positive_of(wall.b)[w];
-    zero[w] = graph.zero_of(wall.a)[w] & graph.zero_of(wall.b)[w];
+  const SignView a = graph.signs_of(wall.a), b = graph.signs_of(wall.b);
+  std::vector<SignWord> positive(a.pos.size()), zero(a.pos.size());
+  for (std::size_t w = 0; w < a.pos.size(); ++w) {
+    positive[w] = a.pos[w] | b.pos[w];
+    zero[w] = a.zero[w] & b.zero[w];
   }
   return arrangement.locate({positive, zero});
 }

@@ -9,83 +9,35 @@
 
 namespace crossloft {
 
-int SectionGraph::sign(std::uint32_t v, std::uint32_t p) const {
-  return sign_at({positive_of(v), zero_of(v)}, PlaneId{p});
-}
-
 std::uint32_t SectionGraph::common_planes(std::uint32_t u, std::uint32_t v) const {
+  if (row_of[u] == row_of[v]) return rows.planes_through(row_of[u]);
   int count = 0;
-  for (std::uint32_t w = 0; w < words; ++w) count += std::popcount(zero_of(u)[w] & zero_of(v)[w]);
+  const auto zu = zero_of(u), zv = zero_of(v);
+  for (std::size_t w = 0; w < zu.size(); ++w) count += std::popcount(zu[w] & zv[w]);
   return static_cast<std::uint32_t>(count);
-}
-
-bool SectionGraph::share_line(std::uint32_t u, std::uint32_t v) const {
-  bool one = false;
-  for (std::uint32_t w = 0; w < words; ++w) {
-    const std::uint64_t common = zero_of(u)[w] & zero_of(v)[w];
-    if (common == 0) continue;
-    if (one || (common & (common - 1)) != 0) return true;
-    one = true;
-  }
-  return false;
 }
 
 std::uint32_t SectionGraph::add(const LatticePoint& point) {
   points.push_back(point);
-  positive.resize(positive.size() + words);
-  zero.resize(zero.size() + words);
-  move(size() - 1, point);
+  row_of.push_back(rows.of(point));
   return size() - 1;
 }
 
-void SectionGraph::add_on_plane(std::uint32_t p, std::span<const LatticePoint> list,
-                                std::span<const std::uint32_t> across) {
+void SectionGraph::add_on_plane(std::span<const LatticePoint> list, std::span<const std::uint32_t> across) {
   if (list.empty()) return;
-  const std::uint32_t first = add(list[0]);
-  for (const LatticePoint& point : list.subspan(1)) {
-    const std::uint32_t v = size();
-    points.push_back(point);
-    for (auto* rows : {&positive, &zero}) {
-      rows->resize(rows->size() + words);
-      std::copy_n(rows->begin() + std::ptrdiff_t{first} * words, words, rows->end() - words);
-    }
-    for (const std::uint32_t q : across) set_sign(v, q, side_of_plane(planes[q], point));
-    set_sign(v, p, side_of_plane(planes[p], point));
-  }
+  const std::uint32_t first = rows.of(list[0]);
+  for (const LatticePoint& point : list) row_of.push_back(across.empty() ? first : rows.of(point, first, across));
+  points.insert(points.end(), list.begin(), list.end());
 }
 
-void SectionGraph::share_rows() {
-  std::array<std::vector<std::uint32_t>, 4> row_in;  // by dimension and element
-  std::vector<std::uint32_t> rows(size());
-  std::vector<std::uint64_t> kept_positive, kept_zero;
-  std::uint32_t count = 0;
-  for (std::uint32_t v = 0; v < size(); ++v) {
-    std::vector<std::uint32_t>& known = row_in[locations[v].dimension];
-    if (locations[v].index >= known.size()) known.resize(locations[v].index + std::size_t{1}, kNone);
-    std::uint32_t& row = known[locations[v].index];
-    if (row == kNone) {
-      row = count++;
-      kept_positive.insert(kept_positive.end(), positive_of(v).begin(), positive_of(v).end());
-      kept_zero.insert(kept_zero.end(), zero_of(v).begin(), zero_of(v).end());
-    }
-    rows[v] = row;
-  }
-  positive = std::move(kept_positive);
-  zero = std::move(kept_zero);
-  row_of = std::move(rows);
+void SectionGraph::take_back() {
+  points.pop_back();
+  row_of.pop_back();
 }
 
 void SectionGraph::move(std::uint32_t v, const LatticePoint& point) {
   points[v] = point;
-  for (std::uint32_t p = 0; p < planes.size(); ++p) set_sign(v, p, side_of_plane(planes[p], point));
-}
-
-void SectionGraph::set_sign(std::uint32_t v, std::uint32_t p, int side) {
-  assert(row_of.empty());
-  const std::uint64_t bit = std::uint64_t{1} << (p % 64);
-  std::uint64_t &pos = positive[std::size_t{v} * words + p / 64], &on = zero[std::size_t{v} * words + p / 64];
-  pos = side > 0 ? pos | bit : pos & ~bit;
-  on = side == 0 ? on | bit : on & ~bit;
+  row_of[v] = rows.of(point);
 }
 
 SectionLocator SectionGraph::locator(std::uint32_t p, std::vector<WallEnds>& ends) const {
@@ -131,8 +83,10 @@ Result<Done> orient_walls(SectionGraph& graph, const Context& context) {
 
 /// Where vertices and walls are. A wall that crosses no plane is in the face that one of its ends is in.
 Result<Done> locate_all(SectionGraph& graph, const Arrangement& arrangement) {
+  section_steps::RowLocations location(graph, arrangement);
+  graph.locations.reserve(graph.size());
   for (std::uint32_t v = 0; v < graph.size(); ++v) {
-    graph.locations.push_back(arrangement.locate({graph.positive_of(v), graph.zero_of(v)}));
+    graph.locations.push_back(location.of(v));
     if (!graph.locations.back().found())
       return make_error(ErrorCode::internal, "a section vertex is outside of the arrangement");
   }
@@ -144,6 +98,7 @@ Result<Done> locate_all(SectionGraph& graph, const Arrangement& arrangement) {
   };
   for (const auto& walls : graph.walls) {
     std::vector<Location>& list = graph.wall_locations.emplace_back();
+    list.reserve(walls.size());
     for (const Wall& w : walls) {
       list.push_back(locate(w));
       if (!list.back().found())
@@ -182,7 +137,6 @@ Result<SectionGraph> build_section_graph(const FramedSections& framed, const Arr
   if (more || tolerances.simplify > 0)  // both bring new walls
     if (auto oriented = orient_walls(graph, context); !oriented) return oriented.error();
   if (auto located = locate_all(graph, arrangement); !located) return located.error();
-  graph.share_rows();
   return graph;
 }
 

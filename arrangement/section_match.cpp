@@ -72,13 +72,13 @@ class Matcher {
 std::vector<OnEdge> Matcher::collect() const {
   std::vector<OnEdge> found;
   std::vector<std::uint32_t> seen(graph_.size(), kNone);
+  RowLocations location(graph_, arrangement_);
   for (std::uint32_t p = 0; p < graph_.planes.size(); ++p)
     for (const Wall& wall : graph_.walls[p])
       for (const std::uint32_t v : {wall.a, wall.b}) {
-        if (seen[v] == p) continue;
+        if (!graph_.on_line(v) || seen[v] == p) continue;
         seen[v] = p;
-        if (!graph_.share_line(v, v)) continue;
-        const Location at = arrangement_.locate({graph_.positive_of(v), graph_.zero_of(v)});
+        const Location at = location.of(v);
         if (at.dimension == 1 && at.found()) found.push_back({at.index, p, v});
       }
   return found;

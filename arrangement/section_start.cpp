@@ -143,11 +143,16 @@ void lead_through(SectionGraph& graph, std::uint32_t p, const std::vector<Touch>
 SectionGraph start(const FramedSections& framed) {
   SectionGraph graph;
   for (const FramedPlane& plane : framed.planes) graph.planes.push_back(plane.plane);
-  graph.words = static_cast<std::uint32_t>((graph.planes.size() + 63) / 64);
+  graph.rows = SignRows(graph.planes);
   graph.walls.resize(graph.planes.size());
+  std::size_t vertices = 0;
+  for (const FramedPlane& plane : framed.planes) vertices += plane.vertices.size();
+  graph.points.reserve(vertices);
+  graph.row_of.reserve(vertices);
   for (std::uint32_t p = 0; p < framed.planes.size(); ++p) {
     const std::uint32_t base = graph.size();
-    graph.add_on_plane(p, framed.planes[p].vertices, planes_across(graph, p));
+    graph.add_on_plane(framed.planes[p].vertices, planes_across(graph, p));
+    graph.walls[p].reserve(framed.planes[p].walls.size());
     for (const WallEdge& w : framed.planes[p].walls)
       graph.walls[p].push_back({base + w.a, base + w.b, w.contour, w.plane, w.line, false});
   }

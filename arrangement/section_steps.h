@@ -61,6 +61,24 @@ bool add_arrangement_vertices(SectionGraph& graph, const Arrangement& arrangemen
 /// True iff the ends of the wall are on different sides of a plane.
 bool crosses_a_plane(const SectionGraph& graph, const Wall& wall);
 
+/// Where vertices lie, asked once for all of one row. REQUIRES: none is added or moved meanwhile.
+class RowLocations {
+ public:
+  RowLocations(const SectionGraph& graph, const Arrangement& arrangement)
+      : graph_(graph), arrangement_(arrangement), of_(graph.rows.size()), known_(graph.rows.size(), 0) {}
+  Location of(std::uint32_t v) {
+    const std::uint32_t row = graph_.row_of[v];
+    if (known_[row] == 0) of_[row] = arrangement_.locate(graph_.rows[row]), known_[row] = 1;
+    return of_[row];
+  }
+
+ private:
+  const SectionGraph& graph_;
+  const Arrangement& arrangement_;
+  std::vector<Location> of_;  ///< by row, like known_
+  std::vector<std::uint8_t> known_;
+};
+
 /// The face or edge of the arrangement that holds the open wall; not found if the wall crosses a plane. The
 /// finished graph keeps it by wall.
 Location wall_location(const SectionGraph& graph, const Arrangement& arrangement, const Wall& wall);
