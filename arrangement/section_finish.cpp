@@ -149,26 +149,30 @@ bool strictly_on(const SectionGraph& graph, std::uint32_t p, const Wall& wall, s
          orient2d(graph.planes[p], graph.points[wall.a], graph.points[wall.b], graph.points[v]) == 0;
 }
 
-/// Contours of one plane that touch: a vertex inside another wall cuts it; what then runs double cancels.
-void cut_touching(SectionGraph& graph, std::uint32_t p) {
+/// Contours of one plane that touch: a vertex inside another wall cuts it; what then runs double cancels. True if there
+/// were no conflicts.
+bool cut_touching(SectionGraph& graph, std::uint32_t p) {
   std::vector<WallEnds> ends;
+  const auto conflicts = graph.locator(p, ends).conflicts();
+  if (conflicts.empty()) return true;
   std::vector<std::vector<std::uint32_t>> touching(graph.walls[p].size());
   bool any = false;
-  for (const auto& [v, w] : graph.locator(p, ends).conflicts())
+  for (const auto& [v, w] : conflicts)
     for (const auto& [cut, by] : {std::pair{v, w}, std::pair{w, v}})
       for (const std::uint32_t end : {ends[by].a, ends[by].b})
         if (strictly_on(graph, p, graph.walls[p][cut], end)) {
           touching[cut].push_back(end);
           any = true;
         }
-  if (!any) return;
   for (std::uint32_t w = 0; w < touching.size(); ++w)
     if (!touching[w].empty()) cut_wall(graph, p, w, touching[w]);
-  cancel_pairs(graph.walls[p]);
+  if (any) cancel_pairs(graph.walls[p]);
+  return false;
 }
 
-/// Walls along an arrangement edge are cut at every section vertex there, of any plane.
-void cut_along_edges(SectionGraph& graph, const Arrangement& arrangement) {
+/// Walls along an arrangement edge are cut at every section vertex there, of any plane; that plane is to be looked at
+/// again.
+void cut_along_edges(SectionGraph& graph, const Arrangement& arrangement, std::vector<std::uint8_t>& sound) {
   std::vector<std::array<std::uint32_t, 2>> on_edge;  // edge, vertex
   RowLocations location(graph, arrangement);
   for (std::uint32_t v = 0; v < graph.size(); ++v) {
@@ -176,8 +180,10 @@ void cut_along_edges(SectionGraph& graph, const Arrangement& arrangement) {
     const Location at = location.of(v);
     if (at.found() && at.dimension == 1) on_edge.push_back({at.index, v});
   }
+  if (on_edge.empty()) return;
   std::sort(on_edge.begin(), on_edge.end());
-  for (std::uint32_t p = 0; p < graph.planes.size(); ++p)
+  for (std::uint32_t p = 0; p < graph.planes.size(); ++p) {
+    bool any = false;
     for (std::uint32_t w = static_cast<std::uint32_t>(graph.walls[p].size()); w-- > 0;) {
       const Wall wall = graph.walls[p][w];
       if (!graph.share_line(wall.a, wall.b)) continue;
@@ -187,9 +193,14 @@ void cut_along_edges(SectionGraph& graph, const Arrangement& arrangement) {
       const auto begin = std::lower_bound(on_edge.begin(), on_edge.end(), std::array{at.index, wall.a + 1});
       for (auto it = begin; it != on_edge.end() && (*it)[0] == at.index && (*it)[1] < wall.b; ++it)
         between.push_back((*it)[1]);
-      if (!between.empty()) cut_wall(graph, p, w, between);
+      if (between.empty()) continue;
+      cut_wall(graph, p, w, between);
+      any = true;
     }
-  for (auto& walls : graph.walls) cancel_pairs(walls);
+    if (!any) continue;
+    cancel_pairs(graph.walls[p]);
+    sound[p] = 0;
+  }
 }
 
 /// The arrangement vertices on a plane but not on the box.
@@ -208,18 +219,19 @@ void cancel_pairs(std::vector<Wall>& walls) {
   for (Wall& w : walls)
     if (w.a > w.b) std::swap(w.a, w.b);
   std::erase_if(walls, [](const Wall& w) { return w.a == w.b; });
-  std::sort(walls.begin(), walls.end(), [](const Wall& x, const Wall& y) {
+  const auto before = [](const Wall& x, const Wall& y) {
     return std::tie(x.a, x.b, x.source_plane, x.contour, x.line) <
            std::tie(y.a, y.b, y.source_plane, y.contour, y.line);
-  });
-  std::vector<Wall> odd;
+  };
+  if (!std::is_sorted(walls.begin(), walls.end(), before)) std::sort(walls.begin(), walls.end(), before);
+  auto odd = walls.begin();  // the end of those that stay
   for (const Wall& w : walls) {
-    if (!odd.empty() && odd.back().a == w.a && odd.back().b == w.b)
-      odd.pop_back();
+    if (odd != walls.begin() && odd[-1].a == w.a && odd[-1].b == w.b)
+      --odd;
     else
-      odd.push_back(w);
+      *odd++ = w;
   }
-  walls = std::move(odd);
+  walls.erase(odd, walls.end());
 }
 
 bool crosses_a_plane(const SectionGraph& graph, const Wall& wall) {
@@ -248,35 +260,39 @@ void merge_collinear_runs(SectionGraph& graph) {
 
 void drop_bare_vertices(SectionGraph& graph) { renumber(graph, std::vector<bool>(graph.size(), false)); }
 
-bool unify(SectionGraph& graph, const Arrangement& arrangement, const Context& context) {
+bool unify(SectionGraph& graph, const Arrangement& arrangement, std::vector<std::uint8_t>& sound,
+           const Context& context) {
   drop_bare_vertices(graph);
-  const auto cut = [&](std::size_t p) { cut_touching(graph, static_cast<std::uint32_t>(p)); };
+  sound.assign(graph.planes.size(), 0);
+  const auto cut = [&](std::size_t p) { sound[p] = cut_touching(graph, static_cast<std::uint32_t>(p)) ? 1 : 0; };
   if (!parallel_for(graph.planes.size(), context, "sections", cut)) return false;
-  cut_along_edges(graph, arrangement);
+  cut_along_edges(graph, arrangement, sound);
   drop_bare_vertices(graph);
   return true;
 }
 
-bool add_arrangement_vertices(SectionGraph& graph, const Arrangement& arrangement) {
+PlaneCorners locate_corners(const Arrangement& arrangement, std::uint32_t p, const SectionLocator& locator) {
+  PlaneCorners corners;
+  corners.vertices = inner_vertices(arrangement, PlaneId{p});
+  for (const ArrVertexId v : corners.vertices)
+    corners.outside.push_back(locator.locate(arrangement.point(v)) == SectionLocator::Place::outside ? 1 : 0);
+  return corners;
+}
+
+void add_arrangement_vertices(SectionGraph& graph, const Arrangement& arrangement, std::span<const PlaneCorners> corners) {
   const std::uint32_t count = arrangement.vertex_count();
   std::vector<bool> in(count, false), out(count, false);
-  for (std::uint32_t p = 0; p < graph.planes.size(); ++p) {
-    const std::vector<ArrVertexId> on_plane = inner_vertices(arrangement, PlaneId{p});
-    if (on_plane.empty()) continue;
-    std::vector<WallEnds> ends;
-    const SectionLocator locator = graph.locator(p, ends);
-    for (const ArrVertexId v : on_plane) {
-      const bool outside = locator.locate(arrangement.point(v)) == SectionLocator::Place::outside;
-      (outside ? out : in)[v.value] = true;
-    }
-  }
+  for (const PlaneCorners& plane : corners)
+    for (std::size_t k = 0; k < plane.vertices.size(); ++k)
+      (plane.outside[k] != 0 ? out : in)[plane.vertices[k].value] = true;
+  bool any = false;
   for (std::uint32_t v = 0; v < count; ++v) {
     if (in[v] && out[v]) ++graph.statistics.disagreeing;
-    if (in[v]) graph.add(arrangement.point(ArrVertexId{v}));
+    if (!in[v]) continue;
+    graph.add(arrangement.point(ArrVertexId{v}));
+    any = true;
   }
-  const bool any = std::find(in.begin(), in.end(), true) != in.end();
   if (any) renumber(graph, std::vector<bool>(graph.size(), true));
-  return any;
 }
 
 }  // namespace crossloft::section_steps

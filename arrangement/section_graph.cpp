@@ -58,27 +58,39 @@ Error self_crossing(const Wall& v, const Wall& w) {
   return error;
 }
 
-/// Orients the walls of a plane; the first conflict in file order is the error.
-Result<Done> orient_walls(SectionGraph& graph, std::uint32_t p) {
+/// The first conflict of a plane in file order is an error.
+Result<Done> check_crossings(const SectionGraph& graph, std::uint32_t p) {
   std::vector<WallEnds> ends;
-  const SectionLocator locator = graph.locator(p, ends);
-  const auto conflicts = locator.conflicts();
-  if (!conflicts.empty()) {
-    const auto order = [&](const std::array<std::uint32_t, 2>& pair) {
-      const Wall& w = graph.walls[p][pair[0]];
-      return std::tie(w.source_plane, w.contour, w.line);
-    };
-    const auto first = *std::min_element(conflicts.begin(), conflicts.end(),
-                                         [&](const auto& x, const auto& y) { return order(x) < order(y); });
-    return self_crossing(graph.walls[p][first[0]], graph.walls[p][first[1]]);
-  }
-  for (std::uint32_t w = 0; w < ends.size(); ++w) graph.walls[p][w].inside_left = locator.inside_left(w);
-  return Done{};
+  const auto conflicts = graph.locator(p, ends).conflicts();
+  if (conflicts.empty()) return Done{};
+  const auto order = [&](const std::array<std::uint32_t, 2>& pair) {
+    const Wall& w = graph.walls[p][pair[0]];
+    return std::tie(w.source_plane, w.contour, w.line);
+  };
+  const auto first = *std::min_element(conflicts.begin(), conflicts.end(),
+                                       [&](const auto& x, const auto& y) { return order(x) < order(y); });
+  return self_crossing(graph.walls[p][first[0]], graph.walls[p][first[1]]);
 }
 
-Result<Done> orient_walls(SectionGraph& graph, const Context& context) {
-  return for_all(graph.planes.size(), context, "sections",
-                 [&](std::size_t p) { return orient_walls(graph, static_cast<std::uint32_t>(p)); });
+Result<Done> check_crossings(const SectionGraph& graph, std::span<const std::uint8_t> sound,
+                             const Context& context) {
+  return for_all(graph.planes.size(), context, "sections", [&](std::size_t p) -> Result<Done> {
+    return sound[p] != 0 ? Result<Done>(Done{}) : check_crossings(graph, static_cast<std::uint32_t>(p));
+  });
+}
+
+/// Inner sides of the walls, and the arrangement vertices within the sections: both by one locator for each plane.
+bool orient_walls(SectionGraph& graph, const Arrangement& arrangement, const Context& context) {
+  std::vector<section_steps::PlaneCorners> corners(graph.planes.size());
+  const bool complete = parallel_for(graph.planes.size(), context, "sections", [&](std::size_t i) {
+    const auto p = static_cast<std::uint32_t>(i);
+    std::vector<WallEnds> ends;
+    const SectionLocator locator = graph.locator(p, ends);
+    for (std::uint32_t w = 0; w < ends.size(); ++w) graph.walls[p][w].inside_left = locator.inside_left(w);
+    corners[p] = section_steps::locate_corners(arrangement, p, locator);
+  });
+  if (complete) section_steps::add_arrangement_vertices(graph, arrangement, corners);
+  return complete;
 }
 
 /// Where vertices and walls are. A wall that crosses no plane is in the face that one of its ends is in.
@@ -129,13 +141,15 @@ Result<SectionGraph> build_section_graph(const FramedSections& framed, const Arr
   steps::match_crossings(graph, arrangement, store, tolerances.match);
   if (context.cancelled()) return make_error(ErrorCode::cancelled, "cancelled");
   steps::merge_collinear_runs(graph);
-  if (!steps::unify(graph, arrangement, context)) return make_error(ErrorCode::cancelled, "cancelled");
-  if (auto oriented = orient_walls(graph, context); !oriented) return oriented.error();
-  if (tolerances.simplify > 0) steps::simplify_contours(graph, tolerances.simplify);
-  if (context.cancelled()) return make_error(ErrorCode::cancelled, "cancelled");
-  const bool more = steps::add_arrangement_vertices(graph, arrangement);
-  if (more || tolerances.simplify > 0)  // both bring new walls
-    if (auto oriented = orient_walls(graph, context); !oriented) return oriented.error();
+  std::vector<std::uint8_t> sound;
+  if (!steps::unify(graph, arrangement, sound, context)) return make_error(ErrorCode::cancelled, "cancelled");
+  if (auto checked = check_crossings(graph, sound, context); !checked) return checked.error();
+  if (tolerances.simplify > 0) {
+    steps::simplify_contours(graph, tolerances.simplify);
+    std::fill(sound.begin(), sound.end(), std::uint8_t{0});
+    if (auto checked = check_crossings(graph, sound, context); !checked) return checked.error();
+  }
+  if (!orient_walls(graph, arrangement, context)) return make_error(ErrorCode::cancelled, "cancelled");
   if (auto located = locate_all(graph, arrangement); !located) return located.error();
   return graph;
 }
