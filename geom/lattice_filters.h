@@ -106,10 +106,9 @@ inline int insphere_filter(const LatticePoint& a, const LatticePoint& b, const L
   return decide(s.det, bound);
 }
 
-inline int orient2d_filter(const LatticePlane& plane, const LatticePoint& a, const LatticePoint& b,
+inline int orient2d_filter(const filters::Projection& pr, const LatticePoint& a, const LatticePoint& b,
                            const LatticePoint& c) {
   using namespace filters;
-  const Projection pr = projection(plane.normal);
   const Estimate e = filters::orient2d(project(pr, b, a), project(pr, c, a));
   double bound = kOrient2dError * e.size();
   if (!all_explicit(a, b, c)) [[unlikely]]
@@ -117,10 +116,14 @@ inline int orient2d_filter(const LatticePlane& plane, const LatticePoint& a, con
   return pr.sign * decide(e.det, bound);
 }
 
-inline int incircle_filter(const LatticePlane& plane, const LatticePoint& a, const LatticePoint& b,
+inline int orient2d_filter(const LatticePlane& plane, const LatticePoint& a, const LatticePoint& b,
+                           const LatticePoint& c) {
+  return orient2d_filter(filters::projection(plane.normal), a, b, c);
+}
+
+inline int incircle_filter(const filters::Projection& pr, const LatticePoint& a, const LatticePoint& b,
                            const LatticePoint& c, const LatticePoint& d) {
   using namespace filters;
-  const Projection pr = projection(plane.normal);
   const Estimate e =
       filters::incircle(project(pr, a, d), project(pr, b, d), project(pr, c, d), squared_distance(a, d),
                         squared_distance(b, d), squared_distance(c, d));
@@ -128,6 +131,11 @@ inline int incircle_filter(const LatticePlane& plane, const LatticePoint& a, con
   if (!all_explicit(a, b, c, d)) [[unlikely]]
     bound += blur_incircle(e);
   return pr.sign * decide(e.det, bound);
+}
+
+inline int incircle_filter(const LatticePlane& plane, const LatticePoint& a, const LatticePoint& b,
+                           const LatticePoint& c, const LatticePoint& d) {
+  return incircle_filter(filters::projection(plane.normal), a, b, c, d);
 }
 
 /// N and o are exact in doubles. Of the size |N_x d_x| + |N_y d_y| + |N_z d_z|: products 1, first sum 2,
