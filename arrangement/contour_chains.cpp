@@ -14,7 +14,7 @@ void ContourPlaces::renew(const std::vector<Wall>& walls) {
 }
 
 ContourChains::ContourChains(std::vector<Wall>& walls, ContourPlaces& places)
-    : walls_(walls), places_(places), replaced_(walls.size()), dead_(walls.size(), false) {
+    : walls_(walls), places_(places) {
   places.renew(walls);
   const std::size_t count = places.vertices().size();
   degree_.assign(count, 0);
@@ -33,6 +33,7 @@ bool ContourChains::joined(std::uint32_t u, std::uint32_t w) const {
 }
 
 void ContourChains::remove(std::uint32_t v) {
+  if (replaced_.empty()) replaced_.resize(walls_.size()), dead_.resize(walls_.size(), false);
   const std::uint32_t first = around(v)[0], second = around(v)[1], w = other_end(second, v);
   (walls_[first].a == v ? walls_[first].a : walls_[first].b) = w;
   const auto list = around_.begin() + begin_[places_[w]];
@@ -48,6 +49,7 @@ void ContourChains::remove(std::uint32_t v) {
 }
 
 void ContourChains::finish() {
+  if (dead_.empty()) return;
   std::uint32_t w = 0;
   std::erase_if(walls_, [&](const Wall&) { return dead_[w++]; });
 }

@@ -46,11 +46,12 @@ class ContourChains {
   bool joined(std::uint32_t u, std::uint32_t w) const;
   /// How many vertices a wall in place of the two at v would have replaced. REQUIRES: degree 2.
   std::size_t replaced_without(std::uint32_t v) const {
-    return replaced_[around(v)[0]].size() + replaced_[around(v)[1]].size() + 1;
+    return replaced_.empty() ? 1 : replaced_[around(v)[0]].size() + replaced_[around(v)[1]].size() + 1;
   }
   /// True iff keep() holds for those vertices; asks until one fails. REQUIRES: degree 2.
   template <class Keep>
   bool all_replaced_without(std::uint32_t v, Keep&& keep) const {
+    if (replaced_.empty()) return keep(v);
     const auto& [first, second] = std::tie(replaced_[around(v)[0]], replaced_[around(v)[1]]);
     return keep(v) && std::all_of(first.begin(), first.end(), keep) &&
            std::all_of(second.begin(), second.end(), keep);
@@ -61,7 +62,7 @@ class ContourChains {
   /// Calls visit(wall, vertex) for each vertex that was removed and the wall that is in its place now.
   template <class Visit>
   void for_each_replaced(Visit&& visit) const {
-    for (std::size_t w = 0; w < walls_.size(); ++w)
+    for (std::size_t w = 0; w < replaced_.size(); ++w)
       for (const std::uint32_t v : replaced_[w]) visit(walls_[w], v);
   }
   /// Takes the walls that are gone out of the list; the chains are of no more use then.
@@ -79,8 +80,8 @@ class ContourChains {
   const ContourPlaces& places_;
   std::vector<std::uint32_t> begin_, degree_;  ///< by place: its walls are around_[begin .. begin + degree)
   std::vector<std::uint32_t> around_;          ///< walls; a list can change or end, but not grow
-  std::vector<std::vector<std::uint32_t>> replaced_;  ///< vertices by wall
-  std::vector<bool> dead_;                            ///< by wall
+  std::vector<std::vector<std::uint32_t>> replaced_;  ///< vertices by wall, once one is removed
+  std::vector<bool> dead_;                            ///< by wall, likewise
 };
 
 }  // namespace crossloft::section_steps

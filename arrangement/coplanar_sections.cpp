@@ -138,6 +138,8 @@ void renumber(std::vector<WallEdge>& walls, const std::vector<std::uint32_t>& in
 
 /// Lexicographic order; of equal points the first input.
 void merge_equal_vertices(LatticeSection& s) {
+  const auto not_before = [](const LatticePoint& p, const LatticePoint& q) { return key(p) >= key(q); };
+  if (std::adjacent_find(s.vertices.begin(), s.vertices.end(), not_before) == s.vertices.end()) return;
   std::vector<std::uint32_t> order(s.vertices.size()), index(s.vertices.size());
   std::iota(order.begin(), order.end(), 0u);
   std::sort(order.begin(), order.end(), [&](std::uint32_t v, std::uint32_t w) {
@@ -160,6 +162,7 @@ void merge_equal_vertices(LatticeSection& s) {
 void drop_isolated(LatticeSection& s) {
   std::vector<std::uint32_t> index(s.vertices.size(), kNone);
   for (const WallEdge& w : s.walls) index[w.a] = index[w.b] = 0;
+  if (std::find(index.begin(), index.end(), kNone) == index.end()) return;
   std::uint32_t kept = 0;
   for (std::size_t v = 0; v < index.size(); ++v) {
     if (index[v] == kNone) continue;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 #include <utility>
 
 #include "../geom/frame.h"
@@ -65,6 +64,7 @@ std::vector<Candidate> collect_candidates(const NormalisedSections& in, FramedSe
     Candidate c{&s, quantise_direction(s.normal), {}, {}};
     c.plane.normal = unit_vector(c.direction);
     c.plane.offset = offset_of(c, out.grid);
+    c.points.reserve(s.vertices.size());
     for (const Vec3& v : s.vertices) c.points.push_back(out.grid.to_lattice(v));
     if (!s.vertices.empty() || comes_near(c))
       candidates.push_back(std::move(c));
@@ -80,35 +80,36 @@ std::vector<Candidate> collect_candidates(const NormalisedSections& in, FramedSe
   return candidates;
 }
 
-LatticeVector centre_of(const std::vector<LatticeVector>& points) {
-  LatticeVector centre{};
-  for (std::size_t k = 0; k < 3; ++k) {
-    const auto [low, high] = std::minmax_element(points.begin(), points.end(),
-                                                 [&](const auto& a, const auto& b) { return a[k] < b[k]; });
-    centre[k] = (*low)[k] + ((*high)[k] - (*low)[k]) / 2;
+using Group = std::vector<const Candidate*>;
+
+/// The one that stands for a group: the first with points, if any has some.
+const Candidate& first_of(const Group& group) {
+  const auto with_points =
+      std::find_if(group.begin(), group.end(), [](const auto* c) { return !c->points.empty(); });
+  return with_points == group.end() ? *group.front() : **with_points;
+}
+
+/// Of the box of all points; without any the foot of the origin.
+LatticeVector centre_of(const Group& group) {
+  const Candidate& first = first_of(group);
+  if (first.points.empty()) {
+    const Vec3 foot = first.plane.offset * first.plane.normal;
+    return {static_cast<std::int64_t>(foot.x), static_cast<std::int64_t>(foot.y), static_cast<std::int64_t>(foot.z)};
   }
+  LatticeVector low = first.points[0], high = low, centre{};
+  for (const Candidate* c : group)
+    for (const LatticeVector& p : c->points)
+      for (std::size_t k = 0; k < 3; ++k) low[k] = std::min(low[k], p[k]), high[k] = std::max(high[k], p[k]);
+  for (std::size_t k = 0; k < 3; ++k) centre[k] = low[k] + (high[k] - low[k]) / 2;
   return centre;
 }
 
 /// What to frame: one wish for the equal planes of a group.
-PlaneWish wish_of(const std::vector<const Candidate*>& group) {
-  const auto with_points =
-      std::find_if(group.begin(), group.end(), [](const auto* c) { return !c->points.empty(); });
-  const Candidate& first = with_points == group.end() ? *group.front() : **with_points;
-  PlaneWish wish{first.direction, first.plane, {}, {}};
+PlaneWish wish_of(const Group& group) {
+  const Candidate& first = first_of(group);
+  PlaneWish wish{first.direction, first.plane, {}, centre_of(group)};
   for (const Candidate* c : group) wish.points.insert(wish.points.end(), c->points.begin(), c->points.end());
-  const Vec3 foot = first.plane.offset * first.plane.normal;
-  wish.centre = wish.points.empty()
-                    ? LatticeVector{static_cast<std::int64_t>(foot.x), static_cast<std::int64_t>(foot.y),
-                                    static_cast<std::int64_t>(foot.z)}
-                    : centre_of(wish.points);
   return wish;
-}
-
-std::set<std::uint32_t> contours_of(const std::vector<WallEdge>& walls) {
-  std::set<std::uint32_t> contours;
-  for (const WallEdge& w : walls) contours.insert(w.contour);
-  return contours;
 }
 
 /// The section with its vertices on the lattice plane; notes how far they went.
@@ -117,6 +118,7 @@ LatticeSection snap(const Candidate& c, const WorldGrid& grid, FramedPlane& plan
   LatticeSection s;
   s.input = c.section->vertices;
   s.walls = c.section->walls;
+  s.vertices.reserve(c.points.size());
   for (std::size_t v = 0; v < c.points.size(); ++v) {
     s.vertices.push_back(make_point(snap_to_plane(plane.plane, c.points[v])));
     const LatticePoint& p = s.vertices.back();
@@ -129,7 +131,7 @@ LatticeSection snap(const Candidate& c, const WorldGrid& grid, FramedPlane& plan
   tidy(s);
   const auto after = contours_of(s.walls);
   for (const std::uint32_t contour : before)
-    if (!after.contains(contour))
+    if (!std::binary_search(after.begin(), after.end(), contour))
       warnings.push_back("plane " + std::to_string(c.section->source) + ", contour " +
                          std::to_string(contour) + ": dropped, it vanishes on the lattice");
   return s;
@@ -182,6 +184,7 @@ Result<LatticeSection> combine(const LatticePlane& plane, std::vector<LatticeSec
     }
     if (!known) kept.push_back(std::move(s));
   }
+  if (kept.size() == 1) return std::move(kept[0]);  // it is tidy
   LatticeSection all;
   for (const LatticeSection& s : kept) append(all, s);
   tidy(all);
@@ -198,7 +201,7 @@ bool plane_less(const LatticePlane& a, const LatticePlane& b) {
   return a.normal != b.normal ? a.normal < b.normal : compare_offsets(a, b) < 0;
 }
 
-using Groups = std::vector<std::vector<const Candidate*>>;
+using Groups = std::vector<Group>;
 
 /// Candidates by the planes that agree up to the tolerance.
 Groups group_equal(const std::vector<Candidate>& candidates, double radius, double tolerance) {
@@ -216,7 +219,7 @@ Groups group_equal(const std::vector<Candidate>& candidates, double radius, doub
 
 struct Framing {
   LatticePlane plane;
-  std::vector<const Candidate*> members;
+  Group members;
 };
 
 /// In canonical order; planes that became one on the lattice joined.
@@ -233,7 +236,7 @@ std::vector<Framing> sort_and_join(std::vector<LatticePlane> planes, Groups grou
       joined.push_back(std::move(f));
   // The origin of a joined plane must not depend on which came first.
   for (Framing& f : joined)
-    f.plane = plane_through(f.plane.normal, f.plane.origin, wish_of(f.members).centre);
+    f.plane = plane_through(f.plane.normal, f.plane.origin, centre_of(f.members));
   return joined;
 }
 
@@ -303,7 +306,7 @@ void tell_of_coincidences(const PlaneFrames& frames, FramedSections& out) {
 Result<FramedSections> frame_sections(const Sections& in, double plane_tolerance, const Context& context) {
   if (!(plane_tolerance >= 0 && plane_tolerance <= 0.1))
     return Error{ErrorCode::usage, "the plane tolerance must be between 0 and 0.1", in.source};
-  Result<NormalisedSections> normalised = normalise(in, plane_tolerance);
+  Result<NormalisedSections> normalised = normalise(in, plane_tolerance, context);
   if (!normalised) return normalised.error();
 
   FramedSections out;

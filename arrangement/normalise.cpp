@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <map>
 #include <set>
+#include <span>
 #include <tuple>
+
+#include "../geom/parallel.h"
 
 namespace crossloft {
 namespace {
@@ -61,6 +63,25 @@ Result<Done> check_numbers(const Sections& in) {
   return Done{};
 }
 
+/// Puts the different ones of `all` into `distinct`, in order; returns where each of `all` is there.
+std::vector<std::uint32_t> distinct_vertices(const std::vector<Vec3>& all, std::vector<Vec3>& distinct) {
+  struct Numbered {
+    Vec3 at;
+    std::uint32_t number;
+  };
+  std::vector<Numbered> sorted;
+  sorted.reserve(all.size());
+  for (const Vec3& v : all) sorted.push_back({v + Vec3{}, static_cast<std::uint32_t>(sorted.size())});  // -0 is 0
+  std::sort(sorted.begin(), sorted.end(), [](const Numbered& v, const Numbered& w) { return v.at < w.at; });
+  std::vector<std::uint32_t> index(all.size());
+  distinct.reserve(all.size());
+  for (const Numbered& v : sorted) {
+    if (distinct.empty() || distinct.back() != v.at) distinct.push_back(v.at);
+    index[v.number] = static_cast<std::uint32_t>(distinct.size() - 1);
+  }
+  return index;
+}
+
 /// The section of one plane: walls between distinct vertices, all of them still there.
 WallSection collect_walls(const PlaneSection& plane, std::uint32_t source) {
   WallSection s;
@@ -71,17 +92,11 @@ WallSection collect_walls(const PlaneSection& plane, std::uint32_t source) {
   s.normal = {scaled(plane.normal.x), scaled(plane.normal.y), scaled(plane.normal.z)};
   s.offset = scaled(plane.offset);
 
-  const auto plain = [](Vec3 v) { return v + Vec3{}; };  // turns -0 into 0
-  for (const Vec3& v : plane.vertices) s.vertices.push_back(plain(v));
-  std::sort(s.vertices.begin(), s.vertices.end());
-  s.vertices.erase(std::unique(s.vertices.begin(), s.vertices.end()), s.vertices.end());
-  const auto index_of = [&](Vec3 v) {
-    return static_cast<std::uint32_t>(std::lower_bound(s.vertices.begin(), s.vertices.end(), plain(v)) -
-                                      s.vertices.begin());
-  };
+  const std::vector<std::uint32_t> index = distinct_vertices(plane.vertices, s.vertices);
+  s.walls.reserve(plane.edges.size());
   for (const ContourEdge& e : plane.edges) {
     if (!is_wall(e)) continue;
-    const std::uint32_t a = index_of(plane.vertices[e.a]), b = index_of(plane.vertices[e.b]);
+    const std::uint32_t a = index[e.a], b = index[e.b];
     s.walls.push_back({std::min(a, b), std::max(a, b), source, e.contour, e.line});
   }
   return s;
@@ -91,6 +106,7 @@ WallSection collect_walls(const PlaneSection& plane, std::uint32_t source) {
 void drop_isolated(WallSection& s) {
   std::vector<std::uint32_t> index(s.vertices.size(), kNone);
   for (const WallEdge& w : s.walls) index[w.a] = index[w.b] = 0;
+  if (std::find(index.begin(), index.end(), kNone) == index.end()) return;
   std::vector<Vec3> kept;
   for (std::size_t v = 0; v < index.size(); ++v)
     if (index[v] != kNone) {
@@ -151,53 +167,76 @@ Result<Done> check_distances(const Sections& in, WallSection& s, double toleranc
   return Done{};
 }
 
-/// True iff the walls, all of one contour, are closed and lie within `width` of one line.
-bool has_no_area(const WallSection& s, const std::vector<const WallEdge*>& walls, double width) {
-  std::map<std::uint32_t, int> degree;
-  for (const WallEdge* w : walls) ++degree[w->a], ++degree[w->b];
-  for (const auto& [v, d] : degree)
-    if (d % 2 != 0) return false;
-  const Vec3 a = s.vertices[degree.begin()->first];
+/// Some walls of a section, those of one contour.
+using Contour = std::span<const WallEdge* const>;
+
+/// What most contours are at first sight: three vertices of it are far from one line. Points within `width` of a line
+/// span triangles of less than 8 width diagonal, and roundings are far below the room that is left.
+bool is_surely_wide(const WallSection& s, Contour contour, double width, double diagonal) {
+  const Vec3 a = s.vertices[contour[0]->a], b = s.vertices[contour[contour.size() / 3]->a],
+             c = s.vertices[contour[contour.size() / 3 * 2]->a];
+  const double area = norm(cross(b - a, c - a));
+  return std::isfinite(area) && area > 100 * width * diagonal;
+}
+
+/// The vertices of a contour, ascending, once for each wall.
+std::vector<std::uint32_t> ends_of(Contour contour) {
+  std::vector<std::uint32_t> ends;
+  for (const WallEdge* w : contour) ends.push_back(w->a), ends.push_back(w->b);
+  std::sort(ends.begin(), ends.end());
+  return ends;
+}
+
+/// True iff the contour is closed and lies within `width` of one line.
+bool has_no_area(const WallSection& s, Contour contour, double width, double diagonal) {
+  if (is_surely_wide(s, contour, width, diagonal)) return false;
+  std::vector<std::uint32_t> ends = ends_of(contour);
+  for (std::size_t i = 0, next = 0; i < ends.size(); i = next) {
+    while (next < ends.size() && ends[next] == ends[i]) ++next;
+    if ((next - i) % 2 != 0) return false;
+  }
+  const Vec3 a = s.vertices[ends[0]];
   Vec3 along;
   double length = 0;
-  for (const auto& [v, d] : degree)
+  for (const std::uint32_t v : ends)
     if (const double l = safe_norm(s.vertices[v] - a); l > length) length = l, along = s.vertices[v] - a;
   if (length <= width) return true;
   const Vec3 unit = {along.x / length, along.y / length, along.z / length};
-  return std::all_of(degree.begin(), degree.end(), [&](const auto& entry) {
-    return safe_norm(cross(unit, s.vertices[entry.first] - a)) <= width;
+  return std::all_of(ends.begin(), ends.end(),
+                     [&](std::uint32_t v) { return safe_norm(cross(unit, s.vertices[v] - a)) <= width; });
+}
+
+void drop_flat_contours(WallSection& s, double width, double diagonal) {
+  std::vector<const WallEdge*> walls;
+  walls.reserve(s.walls.size());
+  for (const WallEdge& w : s.walls) walls.push_back(&w);
+  std::sort(walls.begin(), walls.end(), [](const WallEdge* x, const WallEdge* y) {
+    return x->contour != y->contour ? x->contour < y->contour : x < y;  // of one array: by place
   });
+  std::vector<std::uint32_t> flat;  // ascending
+  for (std::size_t i = 0, next = 0; i < walls.size(); i = next) {
+    while (next < walls.size() && walls[next]->contour == walls[i]->contour) ++next;
+    if (has_no_area(s, {walls.data() + i, next - i}, width, diagonal)) flat.push_back(walls[i]->contour);
+  }
+  if (flat.empty()) return;
+  std::erase_if(s.walls, [&](const WallEdge& w) { return std::binary_search(flat.begin(), flat.end(), w.contour); });
 }
 
-using ContourSet = std::set<std::uint32_t>;
-ContourSet contours_of(const WallSection& s) {
-  ContourSet set;
-  for (const WallEdge& w : s.walls) set.insert(w.contour);
-  return set;
-}
-
-void drop_flat_contours(WallSection& s, double width) {
-  std::map<std::uint32_t, std::vector<const WallEdge*>> by_contour;
-  for (const WallEdge& w : s.walls) by_contour[w.contour].push_back(&w);
-  ContourSet flat;
-  for (const auto& [contour, walls] : by_contour)
-    if (has_no_area(s, walls, width)) flat.insert(contour);
-  std::erase_if(s.walls, [&](const WallEdge& w) { return flat.contains(w.contour); });
-}
-
-void warn_of_dropped(const ContourSet& before, const WallSection& s, std::vector<std::string>& warnings) {
-  const ContourSet after = contours_of(s);
+void warn_of_dropped(const std::vector<std::uint32_t>& before, const WallSection& s, std::vector<std::string>& warnings) {
+  const std::vector<std::uint32_t> after = contours_of(s.walls);
   for (const std::uint32_t c : before)
-    if (!after.contains(c))
+    if (!std::binary_search(after.begin(), after.end(), c))
       warnings.push_back("plane " + std::to_string(s.source) + ", contour " + std::to_string(c) +
                          ": dropped, it encloses no area");
 }
 
 void note_materials(const Sections& in, std::vector<std::string>& notes) {
   std::set<std::int32_t> materials;
+  std::int32_t last = 0;
   for (const PlaneSection& p : in.planes)
-    for (const ContourEdge& e : p.edges) materials.insert(e.material_a), materials.insert(e.material_b);
-  materials.erase(0);
+    for (const ContourEdge& e : p.edges)
+      for (const std::int32_t m : {e.material_a, e.material_b})
+        if (m != 0 && m != last) materials.insert(last = m);
   if (materials.size() > 1)
     notes.push_back("the sections have " + std::to_string(materials.size()) +
                     " materials; inside means any of them");
@@ -207,37 +246,57 @@ void note_materials(const Sections& in, std::vector<std::string>& notes) {
 
 void cancel_pairs(std::vector<WallEdge>& walls) {
   const auto key = [](const WallEdge& w) { return std::tie(w.a, w.b, w.plane, w.contour, w.line); };
-  std::sort(walls.begin(), walls.end(), [&](const auto& x, const auto& y) { return key(x) < key(y); });
-  std::vector<WallEdge> kept;
+  const auto before = [&](const auto& x, const auto& y) { return key(x) < key(y); };
+  if (!std::is_sorted(walls.begin(), walls.end(), before)) std::sort(walls.begin(), walls.end(), before);
+  auto kept = walls.begin();  // the end of those that stay
   for (std::size_t i = 0, next = 0; i < walls.size(); i = next) {
-    while (next < walls.size() && walls[next].a == walls[i].a && walls[next].b == walls[i].b) ++next;
-    if ((next - i) % 2 == 1 && walls[i].a != walls[i].b) kept.push_back(walls[i]);
+    const WallEdge first = walls[i];
+    while (next < walls.size() && walls[next].a == first.a && walls[next].b == first.b) ++next;
+    if ((next - i) % 2 == 1 && first.a != first.b) *kept++ = first;
   }
-  walls = std::move(kept);
+  walls.erase(kept, walls.end());
 }
 
-Result<NormalisedSections> normalise(const Sections& in, double plane_tolerance) {
+std::vector<std::uint32_t> contours_of(const std::vector<WallEdge>& walls) {
+  std::vector<std::uint32_t> contours;
+  for (const WallEdge& w : walls)
+    if (contours.empty() || contours.back() != w.contour) contours.push_back(w.contour);
+  std::sort(contours.begin(), contours.end());
+  contours.erase(std::unique(contours.begin(), contours.end()), contours.end());
+  return contours;
+}
+
+Result<NormalisedSections> normalise(const Sections& in, double plane_tolerance, const Context& context) {
   if (in.planes.empty()) return Error{ErrorCode::no_plane, "there is no cutting plane", in.source};
   if (Result<Done> ok = check_numbers(in); !ok) return ok.error();
   NormalisedSections out;
   note_materials(in, out.notes);
-  std::vector<ContourSet> contours;
-  for (std::uint32_t i = 0; i < in.planes.size(); ++i) {
-    WallSection& s = out.sections.emplace_back(collect_walls(in.planes[i], i));
+  const std::size_t count = in.planes.size();
+  out.sections.resize(count);
+  std::vector<std::vector<std::uint32_t>> contours(count);
+  const auto collected = for_all(count, context, "sections", [&](std::size_t k) -> Result<Done> {
+    const auto i = static_cast<std::uint32_t>(k);
+    WallSection& s = out.sections[i] = collect_walls(in.planes[i], i);
     if (const WallEdge* w = open_end(s))
       return error_at(ErrorCode::open_chain, "the contour is not closed", in, i, w->contour, w->line);
-    contours.push_back(contours_of(s));
+    contours[i] = contours_of(s.walls);
     cancel_pairs(s.walls);
     drop_isolated(s);
-  }
+    return Done{};
+  });
+  if (!collected) return collected.error();
   find_extent(out);
-  for (std::size_t i = 0; i < out.sections.size(); ++i) {
+  std::vector<std::vector<std::string>> warnings(count);
+  const auto checked = for_all(count, context, "sections", [&](std::size_t i) -> Result<Done> {
     WallSection& s = out.sections[i];
     if (Result<Done> ok = check_distances(in, s, plane_tolerance * out.diagonal); !ok) return ok.error();
-    drop_flat_contours(s, kNoWidth * out.diagonal);
+    drop_flat_contours(s, kNoWidth * out.diagonal, out.diagonal);
     drop_isolated(s);
-    warn_of_dropped(contours[i], s, out.warnings);
-  }
+    warn_of_dropped(contours[i], s, warnings[i]);
+    return Done{};
+  });
+  if (!checked) return checked.error();
+  for (const auto& list : warnings) out.warnings.insert(out.warnings.end(), list.begin(), list.end());
   find_extent(out);
   return out;
 }

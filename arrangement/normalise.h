@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "../geom/context.h"
 #include "../geom/result.h"
 #include "framed_sections.h"
 #include "sections.h"
@@ -29,8 +30,11 @@ struct NormalisedSections {
 };
 
 /// Checks the input and reduces it to walls, as frame_sections() says; see there for the errors.
-/// O(v log v) for v vertices and edges.
-Result<NormalisedSections> normalise(const Sections& sections, double plane_tolerance);
+/// O(v log v) for v vertices and edges; planes on several threads. Error cancelled.
+Result<NormalisedSections> normalise(const Sections& sections, double plane_tolerance, const Context& context = {});
+
+/// The contours that have a wall, ascending.
+std::vector<std::uint32_t> contours_of(const std::vector<WallEdge>& walls);
 
 /// Cancels equal walls in pairs and drops those of zero length; of an odd number of equal ones the first in
 /// the file remains. Brings the rest into order. O(w log w).

@@ -21,6 +21,11 @@ class Cutter {
  public:
   Cutter(SectionGraph& graph, LatticePointStore& store, double snap) : graph_(graph), store_(store), snap_(snap) {}
 
+  /// The wall from its lexicographically lower end.
+  Wall forward(Wall wall) const {
+    if (compare_lex(graph_.points[wall.a], graph_.points[wall.b]) >= 0) std::swap(wall.a, wall.b);
+    return wall;
+  }
   bool cut(std::uint32_t plane, const Wall& wall, std::vector<Wall>& pieces);
 
  private:
@@ -33,11 +38,6 @@ class Cutter {
                                        Vec3 target, std::uint32_t& offender);
   std::uint32_t offender(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t j) const;
   Vec3 between(std::uint32_t a, std::uint32_t b, double at) const;
-  void pop() {  // the vertex that was added last was only a trial
-    graph_.points.pop_back();
-    graph_.positive.resize(graph_.positive.size() - graph_.words);
-    graph_.zero.resize(graph_.zero.size() - graph_.words);
-  }
 
   SectionGraph& graph_;
   LatticePointStore& store_;
@@ -53,7 +53,7 @@ Vec3 Cutter::between(std::uint32_t a, std::uint32_t b, double at) const {
 std::vector<Cut> Cutter::cuts(std::uint32_t a, std::uint32_t b) const {
   std::vector<Cut> found;
   const auto pa = graph_.positive_of(a), pb = graph_.positive_of(b), za = graph_.zero_of(a), zb = graph_.zero_of(b);
-  for (std::uint32_t w = 0; w < graph_.words; ++w)
+  for (std::uint32_t w = 0; w < graph_.rows.words(); ++w)
     for (std::uint64_t bits = (pa[w] ^ pb[w]) & ~za[w] & ~zb[w]; bits != 0; bits &= bits - 1) {
       const std::uint32_t p = w * 64 + static_cast<std::uint32_t>(std::countr_zero(bits));
       const double va = std::abs(plane_value(graph_.planes[p], graph_.points[a]));
@@ -69,7 +69,7 @@ std::vector<Cut> Cutter::cuts(std::uint32_t a, std::uint32_t b) const {
 std::uint32_t Cutter::offender(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t j) const {
   const auto pa = graph_.positive_of(a), pb = graph_.positive_of(b), pc = graph_.positive_of(c);
   const auto za = graph_.zero_of(a), zb = graph_.zero_of(b), zc = graph_.zero_of(c);
-  for (std::uint32_t w = 0; w < graph_.words; ++w) {
+  for (std::uint32_t w = 0; w < graph_.rows.words(); ++w) {
     const std::uint64_t want_positive = (za[w] & pb[w]) | (~za[w] & pa[w]);
     std::uint64_t wrong = ((pc[w] ^ want_positive) | zc[w]) & ~(za[w] & zb[w]);
     if (j / 64 == w) wrong &= ~(std::uint64_t{1} << (j % 64));
@@ -99,7 +99,7 @@ std::optional<std::uint32_t> Cutter::corner_near(std::uint32_t i, std::uint32_t 
   for (std::size_t m = 1; m < cuts.size() && (cuts[m].at - cuts[0].at) * length <= snap_; ++m)
     if (const auto c = corner(i, cuts[0].plane, cuts[m].plane, target, std::min(snap_, room))) {
       if (offender(a, b, *c, cuts[0].plane) == kNone) return c;
-      pop();
+      graph_.take_back();  // it was only a trial
     }
   return std::nullopt;
 }
@@ -118,7 +118,7 @@ std::optional<std::uint32_t> Cutter::on_line(std::uint32_t i, std::uint32_t j, s
     const std::uint32_t q = offender(a, b, c, j);
     if (q == kNone) return c;
     if (in_the_way == kNone) in_the_way = q;
-    pop();
+    graph_.take_back();
   }
   return std::nullopt;
 }
@@ -140,9 +140,7 @@ std::uint32_t Cutter::crossing(std::uint32_t i, std::uint32_t a, std::uint32_t b
 bool Cutter::cut(std::uint32_t plane, const Wall& wall, std::vector<Wall>& pieces) {
   // From the lexicographically lower end, so that the result does not depend on the direction of the contour. A new
   // vertex may have been rounded past a further plane: its piece counts as done only once nothing crosses it.
-  const bool forward = compare_lex(graph_.points[wall.a], graph_.points[wall.b]) < 0;
-  std::vector<Wall> open{wall};  // the next piece last
-  if (!forward) std::swap(open[0].a, open[0].b);
+  std::vector<Wall> open{forward(wall)};  // the next piece last
   const std::size_t limit = 16 + 8 * graph_.planes.size();
   for (std::size_t round = 0; !open.empty(); ++round) {
     if (round == limit) return false;
@@ -168,9 +166,17 @@ bool Cutter::cut(std::uint32_t plane, const Wall& wall, std::vector<Wall>& piece
 bool cut_at_planes(SectionGraph& graph, LatticePointStore& store, double snap) {
   Cutter cutter(graph, store, snap);
   for (std::uint32_t p = 0; p < graph.planes.size(); ++p) {
+    const std::vector<Wall>& walls = graph.walls[p];
+    const auto crosses = [&](const Wall& wall) { return crosses_a_plane(graph, wall); };
+    if (std::none_of(walls.begin(), walls.end(), crosses)) continue;
     std::vector<Wall> pieces;
-    for (const Wall& wall : graph.walls[p])
-      if (!cutter.cut(p, wall, pieces)) return false;
+    pieces.reserve(walls.size() + walls.size() / 4);
+    for (const Wall& wall : walls) {
+      if (!crosses(wall))
+        pieces.push_back(cutter.forward(wall));
+      else if (!cutter.cut(p, wall, pieces))
+        return false;
+    }
     graph.walls[p] = std::move(pieces);
   }
   return true;

@@ -51,23 +51,21 @@ bool RunMerger::near_segment(std::uint32_t u, std::uint32_t w, std::uint32_t v) 
 
 bool RunMerger::try_remove(std::uint32_t v) {
   const auto [u, w] = chains_.neighbours(v);
-  if (u == w || chains_.joined(u, w)) return false;
-  if (orient2d(plane_, graph_.points[u], graph_.points[w], graph_.points[v]) == 0) return false;
   const auto near = [&, u = u, w = w](std::uint32_t p) { return near_segment(u, w, p); };
   if (!chains_.all_replaced_without(v, near)) return false;
+  if (u == w || chains_.joined(u, w)) return false;
+  if (orient2d(plane_, graph_.points[u], graph_.points[w], graph_.points[v]) == 0) return false;
   chains_.remove(v);
   return true;
 }
 
-/// Vertices of degree 2 in the interior of a face, by coordinates.
+/// Vertices of degree 2 in the interior of a face, by coordinates: by number, as framing left them, since all that were
+/// moved or added since lie on lines.
 std::vector<std::uint32_t> RunMerger::candidates() const {
   std::vector<std::uint32_t> found;
   for (const std::uint32_t v : vertices_)
-    if (chains_.degree(v) == 2 && !graph_.share_line(v, v)) found.push_back(v);
-  std::sort(found.begin(), found.end(), [&](std::uint32_t a, std::uint32_t b) {
-    const int s = compare_lex(graph_.points[a], graph_.points[b]);
-    return s != 0 ? s < 0 : a < b;
-  });
+    if (chains_.degree(v) == 2 && !graph_.on_line(v)) found.push_back(v);
+  std::sort(found.begin(), found.end());
   return found;
 }
 
@@ -84,6 +82,26 @@ bool is_in_order(const SectionGraph& graph, const std::vector<bool>& used) {
   return true;
 }
 
+/// A vertex with what mostly decides its place, so that sorting need not look at the points.
+struct Ordered {
+  double x = 0;
+  std::uint32_t number = 0;
+};
+
+/// The vertices in use in lexicographic order, equal ones by number.
+std::vector<Ordered> in_order(const SectionGraph& graph, const std::vector<bool>& used) {
+  std::vector<Ordered> list;
+  list.reserve(graph.size());
+  for (std::uint32_t v = 0; v < graph.size(); ++v)
+    if (used[v]) list.push_back({graph.points[v].x, v});
+  std::sort(list.begin(), list.end(), [&](const Ordered& a, const Ordered& b) {
+    if (a.x != b.x) return a.x < b.x;  // rounding is monotone
+    const int s = compare_lex(graph.points[a.number], graph.points[b.number]);
+    return s != 0 ? s < 0 : a.number < b.number;
+  });
+  return list;
+}
+
 /// Vertices into lexicographic order, equal ones into one, those without a wall out unless `kept`.
 void renumber(SectionGraph& graph, const std::vector<bool>& kept) {
   std::vector<bool> used = kept;
@@ -93,27 +111,18 @@ void renumber(SectionGraph& graph, const std::vector<bool>& kept) {
     for (auto& walls : graph.walls) cancel_pairs(walls);
     return;
   }
-  std::vector<std::uint32_t> order;
-  for (std::uint32_t v = 0; v < graph.size(); ++v)
-    if (used[v]) order.push_back(v);
-  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-    const int s = compare_lex(graph.points[a], graph.points[b]);
-    return s != 0 ? s < 0 : a < b;
-  });
-  std::vector<std::uint32_t> number(graph.size(), kNone);
-  SectionGraph sorted;
-  sorted.words = graph.words;
-  for (const std::uint32_t v : order) {
-    if (sorted.points.empty() || !equal(sorted.points.back(), graph.points[v])) {
-      sorted.points.push_back(graph.points[v]);
-      sorted.positive.insert(sorted.positive.end(), graph.positive_of(v).begin(), graph.positive_of(v).end());
-      sorted.zero.insert(sorted.zero.end(), graph.zero_of(v).begin(), graph.zero_of(v).end());
+  std::vector<std::uint32_t> number(graph.size(), kNone), rows;
+  std::vector<LatticePoint> points;
+  for (const Ordered& vertex : in_order(graph, used)) {
+    const LatticePoint& point = graph.points[vertex.number];
+    if (points.empty() || !equal(points.back(), point)) {
+      points.push_back(point);
+      rows.push_back(graph.row_of[vertex.number]);
     }
-    number[v] = sorted.size() - 1;
+    number[vertex.number] = static_cast<std::uint32_t>(points.size() - 1);
   }
-  graph.points = std::move(sorted.points);
-  graph.positive = std::move(sorted.positive);
-  graph.zero = std::move(sorted.zero);
+  graph.points = std::move(points);
+  graph.row_of = std::move(rows);
   for (auto& walls : graph.walls) {
     for (Wall& w : walls) w.a = number[w.a], w.b = number[w.b];
     cancel_pairs(walls);
@@ -140,34 +149,41 @@ bool strictly_on(const SectionGraph& graph, std::uint32_t p, const Wall& wall, s
          orient2d(graph.planes[p], graph.points[wall.a], graph.points[wall.b], graph.points[v]) == 0;
 }
 
-/// Contours of one plane that touch: a vertex inside another wall cuts it; what then runs double cancels.
-void cut_touching(SectionGraph& graph, std::uint32_t p) {
+/// Contours of one plane that touch: a vertex inside another wall cuts it; what then runs double cancels. True if there
+/// were no conflicts.
+bool cut_touching(SectionGraph& graph, std::uint32_t p) {
   std::vector<WallEnds> ends;
+  const auto conflicts = graph.locator(p, ends).conflicts();
+  if (conflicts.empty()) return true;
   std::vector<std::vector<std::uint32_t>> touching(graph.walls[p].size());
   bool any = false;
-  for (const auto& [v, w] : graph.locator(p, ends).conflicts())
+  for (const auto& [v, w] : conflicts)
     for (const auto& [cut, by] : {std::pair{v, w}, std::pair{w, v}})
       for (const std::uint32_t end : {ends[by].a, ends[by].b})
         if (strictly_on(graph, p, graph.walls[p][cut], end)) {
           touching[cut].push_back(end);
           any = true;
         }
-  if (!any) return;
   for (std::uint32_t w = 0; w < touching.size(); ++w)
     if (!touching[w].empty()) cut_wall(graph, p, w, touching[w]);
-  cancel_pairs(graph.walls[p]);
+  if (any) cancel_pairs(graph.walls[p]);
+  return false;
 }
 
-/// Walls along an arrangement edge are cut at every section vertex there, of any plane.
-void cut_along_edges(SectionGraph& graph, const Arrangement& arrangement) {
+/// Walls along an arrangement edge are cut at every section vertex there, of any plane; that plane is to be looked at
+/// again.
+void cut_along_edges(SectionGraph& graph, const Arrangement& arrangement, std::vector<std::uint8_t>& sound) {
   std::vector<std::array<std::uint32_t, 2>> on_edge;  // edge, vertex
+  RowLocations location(graph, arrangement);
   for (std::uint32_t v = 0; v < graph.size(); ++v) {
-    if (!graph.share_line(v, v)) continue;
-    const Location at = arrangement.locate({graph.positive_of(v), graph.zero_of(v)});
+    if (!graph.on_line(v)) continue;
+    const Location at = location.of(v);
     if (at.found() && at.dimension == 1) on_edge.push_back({at.index, v});
   }
+  if (on_edge.empty()) return;
   std::sort(on_edge.begin(), on_edge.end());
-  for (std::uint32_t p = 0; p < graph.planes.size(); ++p)
+  for (std::uint32_t p = 0; p < graph.planes.size(); ++p) {
+    bool any = false;
     for (std::uint32_t w = static_cast<std::uint32_t>(graph.walls[p].size()); w-- > 0;) {
       const Wall wall = graph.walls[p][w];
       if (!graph.share_line(wall.a, wall.b)) continue;
@@ -177,9 +193,14 @@ void cut_along_edges(SectionGraph& graph, const Arrangement& arrangement) {
       const auto begin = std::lower_bound(on_edge.begin(), on_edge.end(), std::array{at.index, wall.a + 1});
       for (auto it = begin; it != on_edge.end() && (*it)[0] == at.index && (*it)[1] < wall.b; ++it)
         between.push_back((*it)[1]);
-      if (!between.empty()) cut_wall(graph, p, w, between);
+      if (between.empty()) continue;
+      cut_wall(graph, p, w, between);
+      any = true;
     }
-  for (auto& walls : graph.walls) cancel_pairs(walls);
+    if (!any) continue;
+    cancel_pairs(graph.walls[p]);
+    sound[p] = 0;
+  }
 }
 
 /// The arrangement vertices on a plane but not on the box.
@@ -198,34 +219,36 @@ void cancel_pairs(std::vector<Wall>& walls) {
   for (Wall& w : walls)
     if (w.a > w.b) std::swap(w.a, w.b);
   std::erase_if(walls, [](const Wall& w) { return w.a == w.b; });
-  std::sort(walls.begin(), walls.end(), [](const Wall& x, const Wall& y) {
+  const auto before = [](const Wall& x, const Wall& y) {
     return std::tie(x.a, x.b, x.source_plane, x.contour, x.line) <
            std::tie(y.a, y.b, y.source_plane, y.contour, y.line);
-  });
-  std::vector<Wall> odd;
+  };
+  if (!std::is_sorted(walls.begin(), walls.end(), before)) std::sort(walls.begin(), walls.end(), before);
+  auto odd = walls.begin();  // the end of those that stay
   for (const Wall& w : walls) {
-    if (!odd.empty() && odd.back().a == w.a && odd.back().b == w.b)
-      odd.pop_back();
+    if (odd != walls.begin() && odd[-1].a == w.a && odd[-1].b == w.b)
+      --odd;
     else
-      odd.push_back(w);
+      *odd++ = w;
   }
-  walls = std::move(odd);
+  walls.erase(odd, walls.end());
 }
 
 bool crosses_a_plane(const SectionGraph& graph, const Wall& wall) {
-  const auto pa = graph.positive_of(wall.a), pb = graph.positive_of(wall.b), za = graph.zero_of(wall.a),
-             zb = graph.zero_of(wall.b);
-  for (std::uint32_t w = 0; w < graph.words; ++w)
-    if (((pa[w] ^ pb[w]) & ~za[w] & ~zb[w]) != 0) return true;
+  if (graph.row_of[wall.a] == graph.row_of[wall.b]) return false;
+  const SignView a = graph.signs_of(wall.a), b = graph.signs_of(wall.b);
+  for (std::size_t w = 0; w < a.pos.size(); ++w)
+    if (((a.pos[w] ^ b.pos[w]) & ~a.zero[w] & ~b.zero[w]) != 0) return true;
   return false;
 }
 
 Location wall_location(const SectionGraph& graph, const Arrangement& arrangement, const Wall& wall) {
   if (crosses_a_plane(graph, wall)) return {};
-  std::vector<std::uint64_t> positive(graph.words), zero(graph.words);
-  for (std::uint32_t w = 0; w < graph.words; ++w) {
-    positive[w] = graph.positive_of(wall.a)[w] | graph.positive_of(wall.b)[w];
-    zero[w] = graph.zero_of(wall.a)[w] & graph.zero_of(wall.b)[w];
+  const SignView a = graph.signs_of(wall.a), b = graph.signs_of(wall.b);
+  std::vector<SignWord> positive(a.pos.size()), zero(a.pos.size());
+  for (std::size_t w = 0; w < a.pos.size(); ++w) {
+    positive[w] = a.pos[w] | b.pos[w];
+    zero[w] = a.zero[w] & b.zero[w];
   }
   return arrangement.locate({positive, zero});
 }
@@ -237,35 +260,39 @@ void merge_collinear_runs(SectionGraph& graph) {
 
 void drop_bare_vertices(SectionGraph& graph) { renumber(graph, std::vector<bool>(graph.size(), false)); }
 
-bool unify(SectionGraph& graph, const Arrangement& arrangement, const Context& context) {
+bool unify(SectionGraph& graph, const Arrangement& arrangement, std::vector<std::uint8_t>& sound,
+           const Context& context) {
   drop_bare_vertices(graph);
-  const auto cut = [&](std::size_t p) { cut_touching(graph, static_cast<std::uint32_t>(p)); };
+  sound.assign(graph.planes.size(), 0);
+  const auto cut = [&](std::size_t p) { sound[p] = cut_touching(graph, static_cast<std::uint32_t>(p)) ? 1 : 0; };
   if (!parallel_for(graph.planes.size(), context, "sections", cut)) return false;
-  cut_along_edges(graph, arrangement);
+  cut_along_edges(graph, arrangement, sound);
   drop_bare_vertices(graph);
   return true;
 }
 
-bool add_arrangement_vertices(SectionGraph& graph, const Arrangement& arrangement) {
+PlaneCorners locate_corners(const Arrangement& arrangement, std::uint32_t p, const SectionLocator& locator) {
+  PlaneCorners corners;
+  corners.vertices = inner_vertices(arrangement, PlaneId{p});
+  for (const ArrVertexId v : corners.vertices)
+    corners.outside.push_back(locator.locate(arrangement.point(v)) == SectionLocator::Place::outside ? 1 : 0);
+  return corners;
+}
+
+void add_arrangement_vertices(SectionGraph& graph, const Arrangement& arrangement, std::span<const PlaneCorners> corners) {
   const std::uint32_t count = arrangement.vertex_count();
   std::vector<bool> in(count, false), out(count, false);
-  for (std::uint32_t p = 0; p < graph.planes.size(); ++p) {
-    const std::vector<ArrVertexId> on_plane = inner_vertices(arrangement, PlaneId{p});
-    if (on_plane.empty()) continue;
-    std::vector<WallEnds> ends;
-    const SectionLocator locator = graph.locator(p, ends);
-    for (const ArrVertexId v : on_plane) {
-      const bool outside = locator.locate(arrangement.point(v)) == SectionLocator::Place::outside;
-      (outside ? out : in)[v.value] = true;
-    }
-  }
+  for (const PlaneCorners& plane : corners)
+    for (std::size_t k = 0; k < plane.vertices.size(); ++k)
+      (plane.outside[k] != 0 ? out : in)[plane.vertices[k].value] = true;
+  bool any = false;
   for (std::uint32_t v = 0; v < count; ++v) {
     if (in[v] && out[v]) ++graph.statistics.disagreeing;
-    if (in[v]) graph.add(arrangement.point(ArrVertexId{v}));
+    if (!in[v]) continue;
+    graph.add(arrangement.point(ArrVertexId{v}));
+    any = true;
   }
-  const bool any = std::find(in.begin(), in.end(), true) != in.end();
   if (any) renumber(graph, std::vector<bool>(graph.size(), true));
-  return any;
 }
 
 }  // namespace crossloft::section_steps

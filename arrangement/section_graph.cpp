@@ -9,83 +9,35 @@
 
 namespace crossloft {
 
-int SectionGraph::sign(std::uint32_t v, std::uint32_t p) const {
-  return sign_at({positive_of(v), zero_of(v)}, PlaneId{p});
-}
-
 std::uint32_t SectionGraph::common_planes(std::uint32_t u, std::uint32_t v) const {
+  if (row_of[u] == row_of[v]) return rows.planes_through(row_of[u]);
   int count = 0;
-  for (std::uint32_t w = 0; w < words; ++w) count += std::popcount(zero_of(u)[w] & zero_of(v)[w]);
+  const auto zu = zero_of(u), zv = zero_of(v);
+  for (std::size_t w = 0; w < zu.size(); ++w) count += std::popcount(zu[w] & zv[w]);
   return static_cast<std::uint32_t>(count);
-}
-
-bool SectionGraph::share_line(std::uint32_t u, std::uint32_t v) const {
-  bool one = false;
-  for (std::uint32_t w = 0; w < words; ++w) {
-    const std::uint64_t common = zero_of(u)[w] & zero_of(v)[w];
-    if (common == 0) continue;
-    if (one || (common & (common - 1)) != 0) return true;
-    one = true;
-  }
-  return false;
 }
 
 std::uint32_t SectionGraph::add(const LatticePoint& point) {
   points.push_back(point);
-  positive.resize(positive.size() + words);
-  zero.resize(zero.size() + words);
-  move(size() - 1, point);
+  row_of.push_back(rows.of(point));
   return size() - 1;
 }
 
-void SectionGraph::add_on_plane(std::uint32_t p, std::span<const LatticePoint> list,
-                                std::span<const std::uint32_t> across) {
+void SectionGraph::add_on_plane(std::span<const LatticePoint> list, std::span<const std::uint32_t> across) {
   if (list.empty()) return;
-  const std::uint32_t first = add(list[0]);
-  for (const LatticePoint& point : list.subspan(1)) {
-    const std::uint32_t v = size();
-    points.push_back(point);
-    for (auto* rows : {&positive, &zero}) {
-      rows->resize(rows->size() + words);
-      std::copy_n(rows->begin() + std::ptrdiff_t{first} * words, words, rows->end() - words);
-    }
-    for (const std::uint32_t q : across) set_sign(v, q, side_of_plane(planes[q], point));
-    set_sign(v, p, side_of_plane(planes[p], point));
-  }
+  const std::uint32_t first = rows.of(list[0]);
+  for (const LatticePoint& point : list) row_of.push_back(across.empty() ? first : rows.of(point, first, across));
+  points.insert(points.end(), list.begin(), list.end());
 }
 
-void SectionGraph::share_rows() {
-  std::array<std::vector<std::uint32_t>, 4> row_in;  // by dimension and element
-  std::vector<std::uint32_t> rows(size());
-  std::vector<std::uint64_t> kept_positive, kept_zero;
-  std::uint32_t count = 0;
-  for (std::uint32_t v = 0; v < size(); ++v) {
-    std::vector<std::uint32_t>& known = row_in[locations[v].dimension];
-    if (locations[v].index >= known.size()) known.resize(locations[v].index + std::size_t{1}, kNone);
-    std::uint32_t& row = known[locations[v].index];
-    if (row == kNone) {
-      row = count++;
-      kept_positive.insert(kept_positive.end(), positive_of(v).begin(), positive_of(v).end());
-      kept_zero.insert(kept_zero.end(), zero_of(v).begin(), zero_of(v).end());
-    }
-    rows[v] = row;
-  }
-  positive = std::move(kept_positive);
-  zero = std::move(kept_zero);
-  row_of = std::move(rows);
+void SectionGraph::take_back() {
+  points.pop_back();
+  row_of.pop_back();
 }
 
 void SectionGraph::move(std::uint32_t v, const LatticePoint& point) {
   points[v] = point;
-  for (std::uint32_t p = 0; p < planes.size(); ++p) set_sign(v, p, side_of_plane(planes[p], point));
-}
-
-void SectionGraph::set_sign(std::uint32_t v, std::uint32_t p, int side) {
-  assert(row_of.empty());
-  const std::uint64_t bit = std::uint64_t{1} << (p % 64);
-  std::uint64_t &pos = positive[std::size_t{v} * words + p / 64], &on = zero[std::size_t{v} * words + p / 64];
-  pos = side > 0 ? pos | bit : pos & ~bit;
-  on = side == 0 ? on | bit : on & ~bit;
+  row_of[v] = rows.of(point);
 }
 
 SectionLocator SectionGraph::locator(std::uint32_t p, std::vector<WallEnds>& ends) const {
@@ -106,33 +58,47 @@ Error self_crossing(const Wall& v, const Wall& w) {
   return error;
 }
 
-/// Orients the walls of a plane; the first conflict in file order is the error.
-Result<Done> orient_walls(SectionGraph& graph, std::uint32_t p) {
+/// The first conflict of a plane in file order is an error.
+Result<Done> check_crossings(const SectionGraph& graph, std::uint32_t p) {
   std::vector<WallEnds> ends;
-  const SectionLocator locator = graph.locator(p, ends);
-  const auto conflicts = locator.conflicts();
-  if (!conflicts.empty()) {
-    const auto order = [&](const std::array<std::uint32_t, 2>& pair) {
-      const Wall& w = graph.walls[p][pair[0]];
-      return std::tie(w.source_plane, w.contour, w.line);
-    };
-    const auto first = *std::min_element(conflicts.begin(), conflicts.end(),
-                                         [&](const auto& x, const auto& y) { return order(x) < order(y); });
-    return self_crossing(graph.walls[p][first[0]], graph.walls[p][first[1]]);
-  }
-  for (std::uint32_t w = 0; w < ends.size(); ++w) graph.walls[p][w].inside_left = locator.inside_left(w);
-  return Done{};
+  const auto conflicts = graph.locator(p, ends).conflicts();
+  if (conflicts.empty()) return Done{};
+  const auto order = [&](const std::array<std::uint32_t, 2>& pair) {
+    const Wall& w = graph.walls[p][pair[0]];
+    return std::tie(w.source_plane, w.contour, w.line);
+  };
+  const auto first = *std::min_element(conflicts.begin(), conflicts.end(),
+                                       [&](const auto& x, const auto& y) { return order(x) < order(y); });
+  return self_crossing(graph.walls[p][first[0]], graph.walls[p][first[1]]);
 }
 
-Result<Done> orient_walls(SectionGraph& graph, const Context& context) {
-  return for_all(graph.planes.size(), context, "sections",
-                 [&](std::size_t p) { return orient_walls(graph, static_cast<std::uint32_t>(p)); });
+Result<Done> check_crossings(const SectionGraph& graph, std::span<const std::uint8_t> sound,
+                             const Context& context) {
+  return for_all(graph.planes.size(), context, "sections", [&](std::size_t p) -> Result<Done> {
+    return sound[p] != 0 ? Result<Done>(Done{}) : check_crossings(graph, static_cast<std::uint32_t>(p));
+  });
+}
+
+/// Inner sides of the walls, and the arrangement vertices within the sections: both by one locator for each plane.
+bool orient_walls(SectionGraph& graph, const Arrangement& arrangement, const Context& context) {
+  std::vector<section_steps::PlaneCorners> corners(graph.planes.size());
+  const bool complete = parallel_for(graph.planes.size(), context, "sections", [&](std::size_t i) {
+    const auto p = static_cast<std::uint32_t>(i);
+    std::vector<WallEnds> ends;
+    const SectionLocator locator = graph.locator(p, ends);
+    for (std::uint32_t w = 0; w < ends.size(); ++w) graph.walls[p][w].inside_left = locator.inside_left(w);
+    corners[p] = section_steps::locate_corners(arrangement, p, locator);
+  });
+  if (complete) section_steps::add_arrangement_vertices(graph, arrangement, corners);
+  return complete;
 }
 
 /// Where vertices and walls are. A wall that crosses no plane is in the face that one of its ends is in.
 Result<Done> locate_all(SectionGraph& graph, const Arrangement& arrangement) {
+  section_steps::RowLocations location(graph, arrangement);
+  graph.locations.reserve(graph.size());
   for (std::uint32_t v = 0; v < graph.size(); ++v) {
-    graph.locations.push_back(arrangement.locate({graph.positive_of(v), graph.zero_of(v)}));
+    graph.locations.push_back(location.of(v));
     if (!graph.locations.back().found())
       return make_error(ErrorCode::internal, "a section vertex is outside of the arrangement");
   }
@@ -144,6 +110,7 @@ Result<Done> locate_all(SectionGraph& graph, const Arrangement& arrangement) {
   };
   for (const auto& walls : graph.walls) {
     std::vector<Location>& list = graph.wall_locations.emplace_back();
+    list.reserve(walls.size());
     for (const Wall& w : walls) {
       list.push_back(locate(w));
       if (!list.back().found())
@@ -174,15 +141,16 @@ Result<SectionGraph> build_section_graph(const FramedSections& framed, const Arr
   steps::match_crossings(graph, arrangement, store, tolerances.match);
   if (context.cancelled()) return make_error(ErrorCode::cancelled, "cancelled");
   steps::merge_collinear_runs(graph);
-  if (!steps::unify(graph, arrangement, context)) return make_error(ErrorCode::cancelled, "cancelled");
-  if (auto oriented = orient_walls(graph, context); !oriented) return oriented.error();
-  if (tolerances.simplify > 0) steps::simplify_contours(graph, tolerances.simplify);
-  if (context.cancelled()) return make_error(ErrorCode::cancelled, "cancelled");
-  const bool more = steps::add_arrangement_vertices(graph, arrangement);
-  if (more || tolerances.simplify > 0)  // both bring new walls
-    if (auto oriented = orient_walls(graph, context); !oriented) return oriented.error();
+  std::vector<std::uint8_t> sound;
+  if (!steps::unify(graph, arrangement, sound, context)) return make_error(ErrorCode::cancelled, "cancelled");
+  if (auto checked = check_crossings(graph, sound, context); !checked) return checked.error();
+  if (tolerances.simplify > 0) {
+    steps::simplify_contours(graph, tolerances.simplify);
+    std::fill(sound.begin(), sound.end(), std::uint8_t{0});
+    if (auto checked = check_crossings(graph, sound, context); !checked) return checked.error();
+  }
+  if (!orient_walls(graph, arrangement, context)) return make_error(ErrorCode::cancelled, "cancelled");
   if (auto located = locate_all(graph, arrangement); !located) return located.error();
-  graph.share_rows();
   return graph;
 }
 

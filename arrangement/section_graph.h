@@ -13,6 +13,7 @@
 #include "complex.h"
 #include "framed_sections.h"
 #include "section_locator.h"
+#include "sign_rows.h"
 
 namespace crossloft {
 
@@ -48,45 +49,40 @@ struct CrossingStatistics {
 };
 
 struct SectionGraph {
-  std::vector<LatticePlane> planes;           ///< canonical order; bits of the sign rows
-  std::vector<LatticePoint> points;           ///< by vertex, in lexicographic order, all different
-  std::uint32_t words = 1;                    ///< of a sign row
-  std::vector<std::uint64_t> positive, zero;  ///< sign rows, `words` each: by vertex, or by row_of
-  std::vector<std::uint32_t> row_of;     ///< by vertex: its row, equal rows being one; none while it grows
-  std::vector<Location> locations;       ///< by vertex: the element of the arrangement it lies in
-  std::vector<std::vector<Wall>> walls;  ///< by plane, sorted by (a, b)
+  std::vector<LatticePlane> planes;    ///< canonical order; bits of the sign rows
+  std::vector<LatticePoint> points;    ///< by vertex, in lexicographic order, all different
+  SignRows rows;                       ///< of the vertices, and of some that were tried
+  std::vector<std::uint32_t> row_of;   ///< by vertex: its row
+  std::vector<Location> locations;     ///< by vertex: the element of the arrangement it lies in
+  std::vector<std::vector<Wall>> walls;               ///< by plane, sorted by (a, b)
   std::vector<std::vector<Location>> wall_locations;  ///< by plane and wall: the face or edge that it lies in
   CrossingStatistics statistics;
 
   std::uint32_t size() const { return static_cast<std::uint32_t>(points.size()); }
-  std::span<const std::uint64_t> positive_of(std::uint32_t v) const { return row(positive, v); }
-  std::span<const std::uint64_t> zero_of(std::uint32_t v) const { return row(zero, v); }
+  SignView signs_of(std::uint32_t v) const { return rows[row_of[v]]; }
+  std::span<const SignWord> positive_of(std::uint32_t v) const { return signs_of(v).pos; }
+  std::span<const SignWord> zero_of(std::uint32_t v) const { return signs_of(v).zero; }
   /// -1, 0, +1: the side of plane p that vertex v is on.
-  int sign(std::uint32_t v, std::uint32_t p) const;
+  int sign(std::uint32_t v, std::uint32_t p) const { return sign_at(signs_of(v), PlaneId{p}); }
   /// How many planes both vertices are on.
   std::uint32_t common_planes(std::uint32_t u, std::uint32_t v) const;
-  /// Whether both are on one line of planes: at least two planes are common. u = v asks for one vertex.
-  bool share_line(std::uint32_t u, std::uint32_t v) const;
-  /// Adds a vertex and its exact signs; equal points are not merged here. Returns its number. REQUIRES: rows
-  /// are not shared.
+  /// Whether the vertex is on two planes at least.
+  bool on_line(std::uint32_t v) const { return rows.planes_through(row_of[v]) >= 2; }
+  /// Whether both are on one line of planes: at least two planes are common.
+  bool share_line(std::uint32_t u, std::uint32_t v) const {
+    return on_line(u) && on_line(v) && common_planes(u, v) >= 2;
+  }
+  /// Adds a vertex and its exact signs; equal points are not merged here. Returns its number.
   std::uint32_t add(const LatticePoint& point);
   /// Adds vertices on plane p. `across`: the planes that meet it in a line; the others are parallel to it and
-  /// see all of it from one side, so that they are asked once. REQUIRES: rows are not shared.
-  void add_on_plane(std::uint32_t p, std::span<const LatticePoint> list,
-                    std::span<const std::uint32_t> across);
-  /// Equal rows become one, as vertices in one face have: with k planes rows of k bits are most of the graph.
-  /// No vertex can be added or moved any more. REQUIRES: locations are known.
-  void share_rows();
-  /// Moves a vertex and renews its signs. REQUIRES: rows are not shared.
+  /// see all of it from one side, so that they are asked once.
+  void add_on_plane(std::span<const LatticePoint> list, std::span<const std::uint32_t> across);
+  /// Takes out the vertex that was added last. REQUIRES: no wall has it.
+  void take_back();
+  /// Moves a vertex and renews its signs.
   void move(std::uint32_t v, const LatticePoint& point);
   /// An even-odd tester over the current walls of plane p; `ends` receives them and must outlive the tester.
   SectionLocator locator(std::uint32_t p, std::vector<WallEnds>& ends) const;
-
- private:
-  void set_sign(std::uint32_t v, std::uint32_t p, int side);
-  std::span<const std::uint64_t> row(const std::vector<std::uint64_t>& rows, std::uint32_t v) const {
-    return {rows.data() + std::size_t{row_of.empty() ? v : row_of[v]} * words, words};
-  }
 };
 
 struct CrossingTolerances {

@@ -7,27 +7,6 @@
 #include "../geom/ids.h"
 
 namespace crossloft {
-namespace {
-
-/// Strip bounds of all items as offsets, then the items: counting sort of intervals into strips.
-template <class Range>
-void fill_strips(std::uint32_t strips, std::uint32_t count, Range&& range, std::vector<std::uint32_t>& starts,
-                 std::vector<std::uint32_t>& items) {
-  starts.assign(strips + 1, 0);
-  for (std::uint32_t w = 0; w < count; ++w) {
-    const auto [lo, hi] = range(w);
-    for (std::uint32_t s = lo; s <= hi; ++s) ++starts[s + 1];
-  }
-  for (std::uint32_t s = 0; s < strips; ++s) starts[s + 1] += starts[s];
-  items.resize(starts[strips]);
-  std::vector<std::uint32_t> next(starts.begin(), starts.end() - 1);
-  for (std::uint32_t w = 0; w < count; ++w) {
-    const auto [lo, hi] = range(w);
-    for (std::uint32_t s = lo; s <= hi; ++s) items[next[s]++] = w;
-  }
-}
-
-}  // namespace
 
 SectionLocator::SectionLocator(const LatticePlane& plane, std::span<const LatticePoint> points,
                                std::span<const WallEnds> walls)
@@ -35,53 +14,77 @@ SectionLocator::SectionLocator(const LatticePlane& plane, std::span<const Lattic
   const int k = dominant_axis(plane.normal);
   first_ = (k + 1) % 3;
   second_ = (k + 2) % 3;
-  double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
-  for (const WallEnds& w : walls) {
-    const bool upward = compare_level(points[w.a], points[w.b]) < 0;
-    ordered_.push_back(upward ? w : WallEnds{w.b, w.a});
-    lowest = std::min(lowest, points[ordered_.back().a][second_]);
-    highest = std::max(highest, points[ordered_.back().b][second_]);
+  left_side_ = plane.normal[static_cast<std::size_t>(k)] > 0 ? 1 : -1;
+  measure();
+  const auto count = static_cast<double>(walls.size());
+  double lowest = std::numeric_limits<double>::infinity(), highest = -lowest, spans = 0;
+  for (const Box& box : boxes_) {
+    lowest = std::min(lowest, box.low);
+    highest = std::max(highest, box.high);
+    spans += box.high - box.low;
   }
-  const auto count = static_cast<std::uint32_t>(walls.size());
   // As many strips as walls, fewer where walls are long: each wall is in 1 + strips * span / height of them, which
   // this bounds by 9 on average.
-  double spans = 0;
-  for (std::uint32_t w = 0; w < count; ++w) spans += high(w)[second_] - low(w)[second_];
   const double wanted = spans > 0 ? 8.0 * count * ((highest - lowest) / spans) : 1;
-  const std::uint32_t strips = count == 0 ? 1 : static_cast<std::uint32_t>(std::clamp(wanted, 1.0, 1.0 * count));
-  origin_ = count > 0 ? lowest : 0;
+  const std::uint32_t strips = walls.empty() ? 1 : static_cast<std::uint32_t>(std::clamp(wanted, 1.0, count));
+  origin_ = walls.empty() ? 0 : lowest;
   last_strip_ = strips - 1.0;
-  inverse_ = count > 0 && highest > lowest ? strips / (highest - lowest) : 0.0;
-  fill_strips(
-      strips, count,
-      [&](std::uint32_t w) {
-        const auto [lo, hi] = level_range(w);
-        return std::pair{strip_of(lo), strip_of(hi)};
-      },
-      starts_, items_);
+  inverse_ = !walls.empty() && highest > lowest ? strips / (highest - lowest) : 0.0;
+  fill_strips(strips);
 }
 
-std::array<double, 2> SectionLocator::level_range(std::uint32_t w) const {
-  return {low(w)[second_], high(w)[second_]};
+/// Walls upward, and their boxes.
+void SectionLocator::measure() {
+  ordered_.reserve(walls_.size());
+  boxes_.reserve(walls_.size());
+  for (const WallEnds& w : walls_) {
+    ordered_.push_back(compare_level(points_[w.a], points_[w.b]) < 0 ? w : WallEnds{w.b, w.a});
+    const LatticePoint &p = points_[ordered_.back().a], &q = points_[ordered_.back().b];
+    const auto [left, right] = std::minmax(p[first_], q[first_]);
+    boxes_.push_back({p[second_], q[second_], left, right});
+  }
 }
 
-/// Monotone in the level, so that a wall's strips are those between its ends' strips.
-std::uint32_t SectionLocator::strip_of(double level) const {
+/// Counting sort of the walls into strips. A wall's strips are those between its ends' strips, since strip_of() is
+/// monotone.
+void SectionLocator::fill_strips(std::uint32_t strips) {
+  starts_.assign(strips + std::size_t{2}, 0);
+  strips_.reserve(boxes_.size());
+  for (const Box& box : boxes_) {
+    strips_.push_back({strip_of(box.low), strip_of(box.high)});
+    for (std::uint32_t s = strips_.back().first; s <= strips_.back().last; ++s) ++starts_[s + 2];
+  }
+  for (std::size_t s = 2; s < starts_.size(); ++s) starts_[s] += starts_[s - 1];
+  items_.resize(starts_.back());
+  for (std::uint32_t w = 0; w < strips_.size(); ++w)
+    for (std::uint32_t s = strips_[w].first; s <= strips_[w].last; ++s) items_[starts_[s + 1]++] = w;
+  starts_.pop_back();  // each has moved on to where the next one begins
+}
+
+inline std::uint32_t SectionLocator::strip_of(double level) const {
   const double s = (level - origin_) * inverse_;
   return static_cast<std::uint32_t>(std::clamp(s, 0.0, last_strip_));
 }
 
-int SectionLocator::compare_level(const LatticePoint& p, const LatticePoint& q) const {
+inline int SectionLocator::compare_level(const LatticePoint& p, const LatticePoint& q) const {
   if (const int s = compare_axis(second_, p, q)) return s;
   return compare_axis(first_, p, q);
+}
+
+/// orient2d(low, high, p). REQUIRES: the level of p is one of the wall's; then a point beside its box is on that side.
+inline int SectionLocator::side_of(std::uint32_t w, const LatticePoint& p) const {
+  if (p[first_] < boxes_[w].left) return left_side_;
+  if (p[first_] > boxes_[w].right) return -left_side_;
+  return orient2d(plane_, low(w), high(w), p);
 }
 
 SectionLocator::Count SectionLocator::count(const LatticePoint& p, const LatticePoint* toward,
                                             std::uint32_t skip) const {
   Count result;
   const bool upward = toward == nullptr || compare_level(p, *toward) < 0;
-  for (const std::uint32_t w : strip(strip_of(p[second_]))) {
-    if (w == skip) continue;
+  const double level = p[second_];
+  for (const std::uint32_t w : strip(strip_of(level))) {
+    if (boxes_[w].high < level || boxes_[w].low > level || w == skip) continue;
     const int from_low = compare_level(low(w), p), from_high = compare_level(high(w), p);
     if (from_low == 0 || from_high == 0) {
       result.on_wall = true;
@@ -92,7 +95,7 @@ SectionLocator::Count SectionLocator::count(const LatticePoint& p, const Lattice
     }
     const bool spans = upward ? from_low <= 0 && from_high > 0 : from_low < 0 && from_high >= 0;
     if (!spans) continue;
-    int side = orient2d(plane_, low(w), high(w), p);
+    int side = side_of(w, p);
     if (side == 0) result.on_wall = true;
     if (side == 0 && toward != nullptr) side = orient2d(plane_, low(w), high(w), *toward);
     if (side > 0) result.odd = !result.odd;
@@ -117,25 +120,24 @@ bool SectionLocator::inside_left(std::uint32_t w) const {
   return upward ? !others : others;
 }
 
-bool SectionLocator::boxes_meet(std::uint32_t v, std::uint32_t w) const {
-  for (const int axis : {first_, second_}) {
-    const double v0 = low(v)[axis], v1 = high(v)[axis], w0 = low(w)[axis], w1 = high(w)[axis];
-    if (std::max(v0, v1) < std::min(w0, w1) || std::max(w0, w1) < std::min(v0, v1)) return false;
-  }
-  return true;
+/// Of walls on one line: they share more than an end iff their spans overlap.
+bool SectionLocator::overlap_on_line(std::uint32_t v, std::uint32_t w) const {
+  return compare_level(low(v), high(w)) < 0 && compare_level(low(w), high(v)) < 0;
 }
 
+/// REQUIRES: their boxes meet.
 bool SectionLocator::in_conflict(std::uint32_t v, std::uint32_t w) const {
-  if (!boxes_meet(v, w)) return false;
-  const WallEnds& p = ordered_[v];
-  const WallEnds& q = ordered_[w];
-  const int a = orient2d(plane_, points_[p.a], points_[p.b], points_[q.a]);
-  const int b = orient2d(plane_, points_[p.a], points_[p.b], points_[q.b]);
-  if (a == 0 && b == 0)  // on one line: they share more than an end iff their spans overlap
-    return compare_level(low(v), high(w)) < 0 && compare_level(low(w), high(v)) < 0;
+  const WallEnds &p = ordered_[v], &q = ordered_[w];
+  const auto turn = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    return orient2d(plane_, points_[a], points_[b], points_[c]);
+  };
+  // Neighbours on a contour, most of what comes here: one question instead of four.
+  if (p.a == q.a || p.b == q.a) return turn(p.a, p.b, q.b) == 0 && overlap_on_line(v, w);
+  if (p.a == q.b || p.b == q.b) return turn(p.a, p.b, q.a) == 0 && overlap_on_line(v, w);
+  const int a = turn(p.a, p.b, q.a), b = turn(p.a, p.b, q.b);
+  if (a == 0 && b == 0) return overlap_on_line(v, w);
   if (a * b > 0) return false;
-  const int c = orient2d(plane_, points_[q.a], points_[q.b], points_[p.a]);
-  const int d = orient2d(plane_, points_[q.a], points_[q.b], points_[p.b]);
+  const int c = turn(q.a, q.b, p.a), d = turn(q.a, q.b, p.b);
   if (c * d > 0) return false;
   // They share exactly one point. It is an end of both iff an end of each is on the other's line there.
   const bool end_of_w = a == 0 || b == 0, end_of_v = c == 0 || d == 0;
@@ -150,14 +152,18 @@ bool SectionLocator::near_interior(std::uint32_t w, std::uint32_t v, double tole
 }
 
 std::vector<std::array<std::uint32_t, 2>> SectionLocator::near_touches(double tolerance) const {
+  // What is further from a wall's box is further from the wall, roundings of up to 2^-3 included.
+  const double margin = tolerance + 1;
   std::vector<std::array<std::uint32_t, 2>> found;
   for (const WallEnds& from : walls_)
     for (const std::uint32_t v : {from.a, from.b}) {
-      const double level = points_[v][second_];
+      const double level = points_[v][second_], at = points_[v][first_];
       const std::uint32_t last = strip_of(level + tolerance);
       for (std::uint32_t s = strip_of(level - tolerance); s <= last; ++s)
         for (const std::uint32_t w : strip(s))
-          if (walls_[w].a != v && walls_[w].b != v && near_interior(w, v, tolerance)) found.push_back({w, v});
+          if (boxes_[w].holds(at, level, margin) && walls_[w].a != v && walls_[w].b != v &&
+              near_interior(w, v, tolerance))
+            found.push_back({w, v});
     }
   std::sort(found.begin(), found.end());
   found.erase(std::unique(found.begin(), found.end()), found.end());
@@ -166,12 +172,12 @@ std::vector<std::array<std::uint32_t, 2>> SectionLocator::near_touches(double to
 
 std::vector<std::array<std::uint32_t, 2>> SectionLocator::conflicts() const {
   std::vector<std::array<std::uint32_t, 2>> found;
-  const auto starts_in = [&](std::uint32_t w, std::uint32_t s) { return strip_of(low(w)[second_]) == s; };
   for (std::uint32_t s = 0; s + 1 < starts_.size(); ++s)
     for (const std::uint32_t v : strip(s)) {
-      if (!starts_in(v, s)) continue;  // a pair is tested in the first strip they share: there one of them starts
+      if (strips_[v].first != s) continue;  // a pair is tested in the first strip they share: there one of them starts
       for (const std::uint32_t w : strip(s))
-        if (w != v && (w > v || !starts_in(w, s)) && in_conflict(v, w)) found.push_back({std::min(v, w), std::max(v, w)});
+        if (boxes_[v].meets(boxes_[w]) && w != v && (w > v || strips_[w].first != s) && in_conflict(v, w))
+          found.push_back({std::min(v, w), std::max(v, w)});
     }
   std::sort(found.begin(), found.end());
   return found;

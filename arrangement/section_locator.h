@@ -50,6 +50,26 @@ class SectionLocator {
     bool odd = false;       ///< parity of walls on the counted side
     bool on_wall = false;   ///< the point is on a wall
   };
+  /// Of the rounded coordinates of a wall's ends. Rounding is monotone: what is apart here is apart.
+  struct Box {
+    double low = 0, high = 0;    ///< of the second projected axis: levels
+    double left = 0, right = 0;  ///< of the first
+
+    bool meets(const Box& b) const {
+      return low <= b.high && b.low <= high && left <= b.right && b.left <= right;
+    }
+    /// Up to a margin around it.
+    bool holds(double at, double level, double margin) const {
+      return level >= low - margin && level <= high + margin && at >= left - margin && at <= right + margin;
+    }
+  };
+  /// The first and last strip of a wall.
+  struct Strips {
+    std::uint32_t first = 0, last = 0;
+  };
+
+  void measure();
+  void fill_strips(std::uint32_t strips);
   int compare_level(const LatticePoint& p, const LatticePoint& q) const;
   std::uint32_t strip_of(double level) const;
   std::span<const std::uint32_t> strip(std::uint32_t s) const {
@@ -57,10 +77,10 @@ class SectionLocator {
   }
   /// Parity at p moved by an infinitesimal step towards q; wall `skip` is left out.
   Count count(const LatticePoint& p, const LatticePoint* toward, std::uint32_t skip) const;
+  int side_of(std::uint32_t w, const LatticePoint& p) const;
   bool in_conflict(std::uint32_t v, std::uint32_t w) const;
+  bool overlap_on_line(std::uint32_t v, std::uint32_t w) const;
   bool near_interior(std::uint32_t w, std::uint32_t v, double tolerance) const;
-  bool boxes_meet(std::uint32_t v, std::uint32_t w) const;
-  std::array<double, 2> level_range(std::uint32_t w) const;
   const LatticePoint& low(std::uint32_t w) const { return points_[ordered_[w].a]; }
   const LatticePoint& high(std::uint32_t w) const { return points_[ordered_[w].b]; }
 
@@ -68,7 +88,10 @@ class SectionLocator {
   std::span<const LatticePoint> points_;
   std::span<const WallEnds> walls_;
   int first_ = 0, second_ = 1;           ///< projected axes; levels are second_, then first_
+  int left_side_ = 1;                    ///< of a wall followed upward: the sign of a point at less of first_
   std::vector<WallEnds> ordered_;        ///< walls with the lower level first
+  std::vector<Box> boxes_;               ///< by wall
+  std::vector<Strips> strips_;           ///< by wall
   double origin_ = 0, inverse_ = 0, last_strip_ = 0;
   std::vector<std::uint32_t> starts_, items_;
 };

@@ -24,7 +24,7 @@ struct Cluster {
 
 /// A vertex that was moved, and where it was; `merge` numbers the clusters.
 struct Move {
-  std::uint32_t vertex = 0, merge = 0;
+  std::uint32_t vertex = 0, plane = 0, merge = 0;
   LatticePoint before;
 };
 
@@ -42,7 +42,11 @@ bool disjoint_planes(const Cluster& a, const Cluster& b) {
 class Matcher {
  public:
   Matcher(SectionGraph& graph, const Arrangement& arrangement, LatticePointStore& store, double tolerance)
-      : graph_(graph), arrangement_(arrangement), store_(store), tolerance_(tolerance) {}
+      : graph_(graph),
+        arrangement_(arrangement),
+        store_(store),
+        tolerance_(tolerance),
+        changed_(graph.planes.size(), 0) {}
   void run();
 
  private:
@@ -66,19 +70,20 @@ class Matcher {
   LatticePointStore& store_;
   double tolerance_;
   std::vector<Move> moves_;
+  std::vector<std::uint8_t> changed_;  ///< by plane: its vertices have moved since it was looked at for conflicts
   std::vector<double> merge_gaps_;
 };
 
 std::vector<OnEdge> Matcher::collect() const {
   std::vector<OnEdge> found;
   std::vector<std::uint32_t> seen(graph_.size(), kNone);
+  RowLocations location(graph_, arrangement_);
   for (std::uint32_t p = 0; p < graph_.planes.size(); ++p)
     for (const Wall& wall : graph_.walls[p])
       for (const std::uint32_t v : {wall.a, wall.b}) {
-        if (seen[v] == p) continue;
+        if (!graph_.on_line(v) || seen[v] == p) continue;
         seen[v] = p;
-        if (!graph_.share_line(v, v)) continue;
-        const Location at = arrangement_.locate({graph_.positive_of(v), graph_.zero_of(v)});
+        const Location at = location.of(v);
         if (at.dimension == 1 && at.found()) found.push_back({at.index, p, v});
       }
   return found;
@@ -133,7 +138,8 @@ void Matcher::apply(const std::vector<Cluster>& clusters) {
     if (cluster.gap == 0) continue;
     for (const OnEdge& member : cluster.members) {
       moves_.push_back(
-          {member.vertex, static_cast<std::uint32_t>(merge_gaps_.size()), graph_.points[member.vertex]});
+          {member.vertex, member.plane, static_cast<std::uint32_t>(merge_gaps_.size()), graph_.points[member.vertex]});
+      changed_[member.plane] = 1;
       graph_.move(member.vertex, cluster.at);
     }
     merge_gaps_.push_back(cluster.gap);
@@ -165,6 +171,8 @@ bool Matcher::undo_crossing_contours() {
   std::vector<bool> undo(merge_gaps_.size(), false);
   bool any = false;
   for (std::uint32_t p = 0; p < graph_.planes.size(); ++p) {
+    if (changed_[p] == 0) continue;  // what conflicts there has not been merged
+    changed_[p] = 0;
     std::vector<WallEnds> ends;
     for (const auto& pair : graph_.locator(p, ends).conflicts())
       for (const std::uint32_t w : pair)
@@ -173,8 +181,10 @@ bool Matcher::undo_crossing_contours() {
   }
   if (!any) return false;
   std::erase_if(moves_, [&](const Move& m) {
-    if (undo[m.merge]) graph_.move(m.vertex, m.before);
-    return undo[m.merge];
+    if (!undo[m.merge]) return false;
+    graph_.move(m.vertex, m.before);
+    changed_[m.plane] = 1;
+    return true;
   });
   for (std::size_t m = 0; m < undo.size(); ++m)
     if (undo[m]) {

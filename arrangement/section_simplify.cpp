@@ -128,7 +128,7 @@ Simplifier::Simplifier(SectionGraph& graph, std::uint32_t plane, ContourPlaces& 
 /// Puts v into the queue if (a) holds and it is not pinned; outdates what was said of it before.
 void Simplifier::assess(std::uint32_t v) {
   const std::uint32_t version = ++version_[place_[v]];
-  if (chains_.degree(v) != 2 || graph_.share_line(v, v)) return;
+  if (chains_.degree(v) != 2 || graph_.on_line(v)) return;
   auto [u, w] = chains_.neighbours(v);
   if (graph_.share_line(u, w)) return;
   if (u > w) std::swap(u, w);  // rounded alike whichever way the contour runs

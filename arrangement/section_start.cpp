@@ -5,7 +5,9 @@
 #include <cmath>
 #include <optional>
 #include <tuple>
+#include <utility>
 
+#include "../geom/lattice_filters.h"
 #include "../geom/parallel.h"
 #include "../geom/plane_line.h"
 #include "section_steps.h"
@@ -19,16 +21,21 @@ double length(const LatticeVector& v) {
 
 Vec3 position(const LatticePoint& p) { return {p.x, p.y, p.z}; }
 
-/// Distance of a real point to a lattice plane with a normal of that length, lattice units; rounding of about
-/// 2^-4 is far below any tolerance.
-double distance(const LatticePlane& plane, double normal_length, Vec3 p) {
-  double sum = 0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const double x = k == 0 ? p.x : k == 1 ? p.y : p.z;
-    sum += static_cast<double>(plane.normal[k]) * (x - static_cast<double>(plane.origin[k]));
+/// A plane that vertices may be near.
+struct NearPlane {
+  std::uint32_t plane = 0;
+  PlaneInDoubles at;
+  double length = 0;  ///< of the normal
+
+  /// Whether a real point is within `tolerance` of it, lattice units; rounding of about 2^-4 is far below any tolerance.
+  bool holds(Vec3 p, double tolerance) const {
+    double sum = at.normal.x * (p.x - at.origin.x);
+    sum += at.normal.y * (p.y - at.origin.y);
+    sum += at.normal.z * (p.z - at.origin.z);
+    sum = std::abs(sum);
+    return sum <= 2 * tolerance * length && sum / length <= tolerance;  // the first spares most divisions
   }
-  return std::abs(sum) / normal_length;
-}
+};
 
 /// Shortest contour edge at each vertex of one plane, lattice units. The plane's vertices follow each other:
 /// a list over those of all planes, made for each plane, would be most of the work with a stack of slices.
@@ -143,11 +150,16 @@ void lead_through(SectionGraph& graph, std::uint32_t p, const std::vector<Touch>
 SectionGraph start(const FramedSections& framed) {
   SectionGraph graph;
   for (const FramedPlane& plane : framed.planes) graph.planes.push_back(plane.plane);
-  graph.words = static_cast<std::uint32_t>((graph.planes.size() + 63) / 64);
+  graph.rows = SignRows(graph.planes);
   graph.walls.resize(graph.planes.size());
+  std::size_t vertices = 0;
+  for (const FramedPlane& plane : framed.planes) vertices += plane.vertices.size();
+  graph.points.reserve(vertices);
+  graph.row_of.reserve(vertices);
   for (std::uint32_t p = 0; p < framed.planes.size(); ++p) {
     const std::uint32_t base = graph.size();
-    graph.add_on_plane(p, framed.planes[p].vertices, planes_across(graph, p));
+    graph.add_on_plane(framed.planes[p].vertices, planes_across(graph, p));
+    graph.walls[p].reserve(framed.planes[p].walls.size());
     for (const WallEdge& w : framed.planes[p].walls)
       graph.walls[p].push_back({base + w.a, base + w.b, w.contour, w.plane, w.line, false});
   }
@@ -184,31 +196,33 @@ bool join_touching(SectionGraph& graph, double tolerance, const Context& context
 
 void move_onto_lines(SectionGraph& graph, const FramedSections& framed, LatticePointStore& store,
                      double tolerance) {
-  std::vector<double> lengths;
-  for (const LatticePlane& plane : graph.planes) lengths.push_back(length(plane.normal));
   std::vector<std::uint32_t> near;
   std::uint32_t base = 0;
   for (std::uint32_t i = 0; i < graph.planes.size(); ++i) {
     const std::vector<Vec3>& inputs = framed.planes[i].input;
-    const std::vector<std::uint32_t> across = planes_across(graph, i);
+    const auto first = std::exchange(base, base + static_cast<std::uint32_t>(inputs.size()));
+    std::vector<NearPlane> across;
+    for (const std::uint32_t j : planes_across(graph, i))
+      across.push_back({j, in_doubles(graph.planes[j]), length(graph.planes[j].normal)});
+    if (across.empty()) continue;
     const ShortestEdges shortest(graph, i);
-    for (std::uint32_t k = 0; k < inputs.size() && !across.empty(); ++k) {
-      const std::uint32_t v = base + k;
+    for (std::uint32_t k = 0; k < inputs.size(); ++k) {
+      const std::uint32_t v = first + k;
       if (shortest[v] == INFINITY) continue;
       const Vec3 at = framed.grid.scaled(inputs[k]);
       near.clear();
-      for (const std::uint32_t j : across)
-        if (distance(graph.planes[j], lengths[j], at) <= tolerance) near.push_back(j);
+      for (const NearPlane& j : across)
+        if (j.holds(at, tolerance)) near.push_back(j.plane);
+      if (near.empty()) continue;
       const bool all_exact =
           std::all_of(near.begin(), near.end(), [&](auto j) { return graph.sign(v, j) == 0; });
-      if (!near.empty() && all_exact) ++graph.statistics.on_line;
+      if (all_exact) ++graph.statistics.on_line;
       if (all_exact) continue;
       if (const auto point = target(graph, store, i, v, near, shortest[v] / 4)) {
         graph.move(v, *point);
         ++graph.statistics.on_line;
       }
     }
-    base += static_cast<std::uint32_t>(inputs.size());
   }
 }
 

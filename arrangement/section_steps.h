@@ -43,8 +43,10 @@ void match_crossings(SectionGraph& graph, const Arrangement& arrangement, Lattic
 void merge_collinear_runs(SectionGraph& graph);
 
 /// Equal points become one vertex, walls that touch are cut there, doubled walls cancel, unused vertices go,
-/// and everything is put into lexicographic order. False if cancelled.
-bool unify(SectionGraph& graph, const Arrangement& arrangement, const Context& context);
+/// and everything is put into lexicographic order. `sound` by plane: 1 if its walls are known to be without conflicts.
+/// False if cancelled.
+bool unify(SectionGraph& graph, const Arrangement& arrangement, std::vector<std::uint8_t>& sound,
+           const Context& context);
 
 /// Drops contour vertices in the interior of faces as long as all that were dropped stay within `tolerance`
 /// of the wall in their place, contours neither cross nor vanish, and sections stay the same on the lines of
@@ -54,12 +56,38 @@ void simplify_contours(SectionGraph& graph, double tolerance);
 /// Takes out the vertices without a wall.
 void drop_bare_vertices(SectionGraph& graph);
 
-/// Adds the arrangement vertices that lie in the closed section of one of their planes. True if there are
-/// any.
-bool add_arrangement_vertices(SectionGraph& graph, const Arrangement& arrangement);
+/// The arrangement vertices on a plane but not on the box, and which of them are outside of its closed section.
+struct PlaneCorners {
+  std::vector<ArrVertexId> vertices;
+  std::vector<std::uint8_t> outside;
+};
+PlaneCorners locate_corners(const Arrangement& arrangement, std::uint32_t p, const SectionLocator& locator);
+
+/// Adds the arrangement vertices that lie in the closed section of one of their planes. Walls stay what they are, inner
+/// sides too: none has such a vertex in its interior, and their ends keep their order.
+void add_arrangement_vertices(SectionGraph& graph, const Arrangement& arrangement,
+                              std::span<const PlaneCorners> corners);
 
 /// True iff the ends of the wall are on different sides of a plane.
 bool crosses_a_plane(const SectionGraph& graph, const Wall& wall);
+
+/// Where vertices lie, asked once for all of one row. REQUIRES: none is added or moved meanwhile.
+class RowLocations {
+ public:
+  RowLocations(const SectionGraph& graph, const Arrangement& arrangement)
+      : graph_(graph), arrangement_(arrangement), of_(graph.rows.size()), known_(graph.rows.size(), 0) {}
+  Location of(std::uint32_t v) {
+    const std::uint32_t row = graph_.row_of[v];
+    if (known_[row] == 0) of_[row] = arrangement_.locate(graph_.rows[row]), known_[row] = 1;
+    return of_[row];
+  }
+
+ private:
+  const SectionGraph& graph_;
+  const Arrangement& arrangement_;
+  std::vector<Location> of_;  ///< by row, like known_
+  std::vector<std::uint8_t> known_;
+};
 
 /// The face or edge of the arrangement that holds the open wall; not found if the wall crosses a plane. The
 /// finished graph keeps it by wall.

@@ -38,6 +38,7 @@ class Conformer {
   };
 
   void start(const std::vector<Segment>& segments);
+  void prepare_splits();
   void find_sharp_corners(const std::vector<Segment>& segments);
   bool is_sharp(const Segment* begin, const Segment* end) const;
   void round();
@@ -74,11 +75,23 @@ class Conformer {
 template <class P, class Split>
 void Conformer<P, Split>::start(const std::vector<Segment>& segments) {
   segment_count_ = segments.size();
+  pieces_.reserve(segment_count_);
   for (std::uint32_t k = 0; k < segment_count_; ++k) {
     const auto [a, b] = segments[k];
     pieces_.push_back({a, b, k, kNone, a == b});
+    if (is_missing(pieces_[k])) candidates_.push_back(k);
+  }
+}
+
+/// What only splits need. REQUIRES: nothing is split yet.
+template <class P, class Split>
+void Conformer<P, Split>::prepare_splits() {
+  std::vector<Segment> segments;
+  segments.reserve(segment_count_);
+  by_ends_.reserve(segment_count_ + segment_count_ / 4);
+  for (std::uint32_t k = 0; k < segment_count_; ++k) {
+    segments.push_back({pieces_[k].a, pieces_[k].b});
     remember(k);
-    candidates_.push_back(k);
   }
   find_sharp_corners(segments);
 }
@@ -148,6 +161,7 @@ bool Conformer<P, Split>::comes_before(std::uint32_t k, std::uint32_t l) const {
 
 template <class P, class Split>
 void Conformer<P, Split>::split_piece(std::uint32_t k) {
+  if (by_ends_.empty()) prepare_splits();
   const std::uint32_t made = split_(request(pieces_[k]));
   if (made == kNone) {
     pieces_[k].given_up = true;
@@ -206,10 +220,13 @@ void Conformer<P, Split>::replace_piece(std::uint32_t k, std::uint32_t v) {
 template <class P, class Split>
 void Conformer<P, Split>::report(std::vector<Segment>& segments) {
   segments.clear();
+  segments.reserve(pieces_.size());
+  result_.source.reserve(pieces_.size());
+  const bool untouched = by_ends_.empty() && !result_.limit_reached;  // all were edges at the start, but for those given up
   for (std::uint32_t s = 0; s < segment_count_; ++s)
     for (std::uint32_t k = s; k != kNone; k = pieces_[k].next) {
       const Piece& p = pieces_[k];
-      if (!tri_.has_edge(p.a, p.b)) result_.failed.push_back(static_cast<std::uint32_t>(segments.size()));
+      if ((!untouched || p.given_up) && !tri_.has_edge(p.a, p.b)) result_.failed.push_back(static_cast<std::uint32_t>(segments.size()));
       segments.push_back({p.a, p.b});
       result_.source.push_back(s);
     }

@@ -65,7 +65,7 @@ class DelaunayCore {
   }
   /// Some spoke of a vertex.
   Facet spoke(std::uint32_t vertex) const requires(D == 2) {
-    return growing_.cells.spoke_of(growing_.incident[vertex], vertex);
+    return growing_.cells.spoke_of(growing_.incident[vertex + 1u], vertex);
   }
   bool in_conflict(std::uint32_t cell, std::uint32_t e) const { return inserter_.in_conflict(cell, e); }
   bool is_hidden(std::uint32_t e) const { return inserter_.is_hidden(e); }

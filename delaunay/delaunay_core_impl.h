@@ -13,8 +13,10 @@ void DelaunayCore<D, P>::build(std::uint32_t first) {
       points[i][axis] = predicates_.coordinate(first + i, static_cast<int>(axis));
   if (first == 0) make_room();
   inserter_.see_points();
+  inserter_.tell_removed(false);
   for (const std::uint32_t i : insertion_order(std::span<const std::array<double, D>>(points)))
     insert(first + i);
+  inserter_.tell_removed(true);
   if (!growing_.kept.empty()) keep_lowest();
 }
 
@@ -83,8 +85,8 @@ std::uint32_t DelaunayCore<D, P>::insert(std::uint32_t i, std::uint32_t near) {
     return i;
   }
   const auto& incident = growing_.incident;
-  if (D == 2 && near < incident.size() && incident[near] != kNone)
-    inserter_.insert(i, incident[near]);
+  if (D == 2 && near + std::size_t{1} < incident.size() && incident[near + 1u] != kNone)
+    inserter_.insert(i, incident[near + 1u]);
   else
     inserter_.insert(i);
   return kept(i);
@@ -143,6 +145,7 @@ void DelaunayCore<D, P>::make_first_cells() {
   };
   for (std::uint32_t a = 0; a < missing.size(); ++a)
     for (std::uint32_t b = 0; b < a; ++b) cells.link(slot_of(a, missing[b]), slot_of(b, missing[a]));
+  for (const std::uint32_t v : basis_) inserter_.expect_incident(v);
   for (std::uint32_t cell = 0; cell < cells.size(); ++cell) inserter_.note_incident(cell);
 }
 

@@ -43,7 +43,7 @@ template <std::size_t D>
 struct GrowingTriangulation {
   SimplexStore<D> cells;
   std::vector<std::uint32_t> kept;      ///< grows on the first duplicate or hidden one; identity beyond
-  std::vector<std::uint32_t> incident;  ///< a cell of each vertex, in the plane only
+  std::vector<std::uint32_t> incident;  ///< in the plane only, of vertex v at v + 1: one of its cells, kNone before
 
   std::uint32_t kept_of(std::uint32_t i) const { return i < kept.size() ? kept[i] : i; }
 };
@@ -78,6 +78,8 @@ class Inserter {
   /// Inserts point i, searching from the hint. False if it was left out because its cavity reaches beyond the
   /// territory, or the pool is empty.
   bool insert(std::uint32_t i) { return insert(i, hint_); }
+  /// Whether insertions tell of the edges that they remove (plane only).
+  void tell_removed(bool tell) { tells_removed_ = tell; }
   bool insert(std::uint32_t i, std::uint32_t start);
 
   /// A cell to start the next search from. REQUIRES: it is owned.
@@ -96,6 +98,8 @@ class Inserter {
   /// True iff a site that is no vertex, nor equal to one, is above the lower hull.
   bool is_hidden(std::uint32_t e) const { return is_above(locate(e, hint_), e); }
   void note_incident(std::uint32_t cell);
+  /// Room for what is noted of the vertex, in the plane.
+  void expect_incident(std::uint32_t vertex);
 
  private:
   /// A facet of the cavity's boundary, from both sides.
@@ -136,6 +140,7 @@ class Inserter {
   Facet make_cell(const Rim& rim, std::uint32_t e);
   void fill(std::uint32_t e);
   void fill_by_table(std::uint32_t e) requires(D == 3);
+  void fill_cycle(std::uint32_t e) requires(D == 2);
   void join_by_turning(Facet inside);
   Facet around_ridge(Facet inside, std::size_t slot) const;
   void hide_inner_vertices();
@@ -159,7 +164,8 @@ class Inserter {
   std::size_t dug_vertices_ = 0;   ///< vertices of the cavity, the ghost too, where some can be hidden
   std::vector<std::uint8_t> dug_;  ///< by local number, as far as needed: in the cavity
   Scratch<StarCell> star_;
-  std::vector<Facet> edges_;  ///< of new cells by the directed edge of the rim that they have
+  std::vector<Facet> edges_;  ///< of new cells by the directed edge of the rim that they have; in the plane by its start
+  bool tells_removed_ = true;
   std::vector<std::array<std::uint32_t, 2>> removed_;
 };
 

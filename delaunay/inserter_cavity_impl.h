@@ -137,7 +137,7 @@ void Inserter<D, P, T>::collect_rim() {
       const bool is_rim = cells_.mark(next.cell()) != Mark::cavity;
       *rim = {{cell, slot}, next};
       rim += is_rim;
-      if (D == 2 && !is_rim) note_removed(cell, slot);
+      if (D == 2 && !is_rim && tells_removed_) note_removed(cell, slot);
     }
   rim_.end_at(rim);
 }
@@ -200,8 +200,11 @@ inline Facet Inserter<D, P, T>::make_cell(const Rim& rim, std::uint32_t e) {
 /// Stars the cavity from e.
 template <std::size_t D, class P, class T>
 void Inserter<D, P, T>::fill(std::uint32_t e) {
-  if constexpr (D == 3)
+  if constexpr (D == 2) {
+    return fill_cycle(e);
+  } else {
     if (local_.size() <= kMostInTable) return fill_by_table(e);
+  }
   // The cavity stays for the time being; its way across the rim leads to the new cells.
   for (const Rim& rim : rim_) {
     const Facet base = make_cell(rim, e);
@@ -217,7 +220,7 @@ void Inserter<D, P, T>::fill(std::uint32_t e) {
 template <std::size_t D, class P, class T>
 void Inserter<D, P, T>::fill_by_table(std::uint32_t e) requires(D == 3) {
   const std::size_t width = local_.size();
-  edges_.resize(kMostInTable * kMostInTable);
+  if (edges_.size() < width * width) edges_.resize(std::min(2 * width, kMostInTable) * std::min(2 * width, kMostInTable));
   StarCell* star = star_.restart(rim_.size());
   for (const Rim& rim : rim_) {
     const Facet base = make_cell(rim, e);
@@ -235,6 +238,25 @@ void Inserter<D, P, T>::fill_by_table(std::uint32_t e) requires(D == 3) {
     cells_.redirect(base, outside);
     for (std::size_t i = 0; i < 3; ++i)
       cells_.redirect({base.cell(), slots[(i + 2) % 3]}, edges_[numbers[(i + 1) % 3] * width + numbers[i]]);
+  }
+}
+
+/// In the plane the rim is a cycle: each of its vertices is the start of one edge.
+template <std::size_t D, class P, class T>
+void Inserter<D, P, T>::fill_cycle(std::uint32_t e) requires(D == 2) {
+  StarCell* star = star_.restart(rim_.size());
+  for (const Rim& rim : rim_) {
+    const Facet base = make_cell(rim, e);
+    *star++ = {base, rim.outside, {}};
+    const std::uint32_t start = cells_.vertices(base.cell())[(base.slot() + 1) % 3];
+    edges_[start + 1u] = {base.cell(), (base.slot() + 2) % 3};  // the edge from e to the start
+  }
+  star_.end_at(star);
+  for (const auto& [base, outside, numbers] : star_) {
+    const std::uint32_t end = cells_.vertices(base.cell())[(base.slot() + 2) % 3];
+    const Facet beside(base.cell(), (base.slot() + 1) % 3);
+    cells_.redirect(base, outside);
+    cells_.link(beside, edges_[end + 1u]);
   }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 /// One insertion from search to end; included by inserter.h.
 
+#include <algorithm>
 #include <iterator>
 
 #include "inserter.h"
@@ -24,6 +25,7 @@ bool Inserter<D, P, T>::insert(std::uint32_t i, std::uint32_t start) {
     if (is_above(at, i)) return keep(i, kNone);
   }
   if (!dig(i, at)) return false;
+  expect_incident(i);
   fill(i);
   ++gained_;
   if constexpr (HasHeights<P>) hide_inner_vertices();
@@ -90,14 +92,16 @@ bool Inserter<D, P, T>::ghost_conflict(std::uint32_t cell, std::uint32_t e) cons
 }
 
 template <std::size_t D, class P, class T>
-void Inserter<D, P, T>::note_incident(std::uint32_t cell) {
-  if (D != 2) return;
-  auto& incident = shared_.incident;
-  for (const std::uint32_t v : cells_.vertices(cell)) {
-    if (v == kGhost) continue;
-    if (v >= incident.size()) incident.resize(std::size_t{v} + 1, kNone);
-    incident[v] = cell;
-  }
+inline void Inserter<D, P, T>::note_incident(std::uint32_t cell) {
+  if constexpr (D == 2)
+    for (const std::uint32_t v : cells_.vertices(cell)) shared_.incident[v + 1u] = cell;  // the ghost in front
+}
+
+template <std::size_t D, class P, class T>
+inline void Inserter<D, P, T>::expect_incident(std::uint32_t vertex) {
+  if (D != 2 || vertex + std::size_t{1} < shared_.incident.size()) return;
+  shared_.incident.resize(std::max<std::size_t>(predicates_.size(), vertex + std::size_t{1}) + 1, kNone);
+  edges_.resize(shared_.incident.size());
 }
 
 /// Hides the vertices of the cavity that are not on its rim.
@@ -113,7 +117,7 @@ void Inserter<D, P, T>::hide_inner_vertices() {
     const std::uint32_t v = local_[k];
     keep(v, kNone);
     --gained_;
-    if (v < shared_.incident.size()) shared_.incident[v] = kNone;
+    if constexpr (D == 2) shared_.incident[v + 1u] = kNone;
   }
 }
 

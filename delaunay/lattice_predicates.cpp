@@ -11,11 +11,7 @@ bool collinear(const LatticePoint& a, const LatticePoint& b, const LatticePoint&
 }
 
 LatticePredicates2::LatticePredicates2(const LatticePlane& plane, const std::vector<LatticePoint>& points)
-    : plane_(plane), points_(&points) {
-  const int dropped = dominant_axis(plane.normal);
-  first_ = (dropped + 1) % 3;
-  second_ = (dropped + 2) % 3;
-}
+    : plane_(plane), points_(&points), projection_(filters::projection(plane.normal)) {}
 
 double LatticePredicates2::squared_distance(std::uint32_t a, std::uint32_t b) const {
   double sum = 0;

@@ -1,7 +1,9 @@
 #include "grid.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 
 namespace crossloft {
 namespace {
@@ -10,7 +12,11 @@ constexpr int kDataBits = 48;
 constexpr int kSmallestExponent = 1074;                // of the smallest double, 2^-1074
 constexpr double kExactIntegers = 9007199254740992.0;  // 2^53
 
+/// v 2^exponent, rounded once where it leaves the range of doubles.
 Vec3 scale(Vec3 v, int exponent) {
+  constexpr int kLargest = 1022;  // such powers are doubles themselves
+  if (exponent >= -kLargest && exponent <= kLargest)
+    return std::bit_cast<double>(static_cast<std::uint64_t>(exponent + 1023) << 52) * v;
   return {std::ldexp(v.x, exponent), std::ldexp(v.y, exponent), std::ldexp(v.z, exponent)};
 }
 double largest(Vec3 v) { return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}); }

@@ -106,10 +106,9 @@ inline int insphere_filter(const LatticePoint& a, const LatticePoint& b, const L
   return decide(s.det, bound);
 }
 
-inline int orient2d_filter(const LatticePlane& plane, const LatticePoint& a, const LatticePoint& b,
+inline int orient2d_filter(const filters::Projection& pr, const LatticePoint& a, const LatticePoint& b,
                            const LatticePoint& c) {
   using namespace filters;
-  const Projection pr = projection(plane.normal);
   const Estimate e = filters::orient2d(project(pr, b, a), project(pr, c, a));
   double bound = kOrient2dError * e.size();
   if (!all_explicit(a, b, c)) [[unlikely]]
@@ -117,10 +116,14 @@ inline int orient2d_filter(const LatticePlane& plane, const LatticePoint& a, con
   return pr.sign * decide(e.det, bound);
 }
 
-inline int incircle_filter(const LatticePlane& plane, const LatticePoint& a, const LatticePoint& b,
+inline int orient2d_filter(const LatticePlane& plane, const LatticePoint& a, const LatticePoint& b,
+                           const LatticePoint& c) {
+  return orient2d_filter(filters::projection(plane.normal), a, b, c);
+}
+
+inline int incircle_filter(const filters::Projection& pr, const LatticePoint& a, const LatticePoint& b,
                            const LatticePoint& c, const LatticePoint& d) {
   using namespace filters;
-  const Projection pr = projection(plane.normal);
   const Estimate e =
       filters::incircle(project(pr, a, d), project(pr, b, d), project(pr, c, d), squared_distance(a, d),
                         squared_distance(b, d), squared_distance(c, d));
@@ -130,21 +133,36 @@ inline int incircle_filter(const LatticePlane& plane, const LatticePoint& a, con
   return pr.sign * decide(e.det, bound);
 }
 
+inline int incircle_filter(const LatticePlane& plane, const LatticePoint& a, const LatticePoint& b,
+                           const LatticePoint& c, const LatticePoint& d) {
+  return incircle_filter(filters::projection(plane.normal), a, b, c, d);
+}
+
 /// N and o are exact in doubles. Of the size |N_x d_x| + |N_y d_y| + |N_z d_z|: products 1, first sum 2,
 /// whole sum 3 u; a rational point's differences to o are off by 2^-4 + 2^-3 <= kBlur each.
 inline constexpr double kSideOfPlaneError = 3 * filters::kU * filters::kRoom;
 
-inline int side_of_plane_filter(const LatticePlane& plane, const LatticePoint& p) {
-  const auto coordinate = [](std::int64_t v) { return static_cast<double>(v); };
-  const auto& n = plane.normal;
-  const auto& o = plane.origin;
-  const double nx = coordinate(n[0]), ny = coordinate(n[1]), nz = coordinate(n[2]);
-  const double tx = nx * (p.x - coordinate(o[0])), ty = ny * (p.y - coordinate(o[1]));
-  const double tz = nz * (p.z - coordinate(o[2]));
+/// A plane as the filter sees it, for those who ask many points.
+struct PlaneInDoubles {
+  Vec3 normal, origin;
+};
+inline PlaneInDoubles in_doubles(const LatticePlane& plane) {
+  const auto vec3 = [](const LatticeVector& v) {
+    return Vec3{static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2])};
+  };
+  return {vec3(plane.normal), vec3(plane.origin)};
+}
+
+inline int side_of_plane_filter(const PlaneInDoubles& plane, const LatticePoint& p) {
+  const Vec3 &n = plane.normal, &o = plane.origin;
+  const double tx = n.x * (p.x - o.x), ty = n.y * (p.y - o.y), tz = n.z * (p.z - o.z);
   double bound = kSideOfPlaneError * (std::fabs(tx) + std::fabs(ty) + std::fabs(tz));
   if (!p.is_explicit()) [[unlikely]]
-    bound += kBlur * filters::kRoom * (std::fabs(nx) + std::fabs(ny) + std::fabs(nz));
+    bound += kBlur * filters::kRoom * (std::fabs(n.x) + std::fabs(n.y) + std::fabs(n.z));
   return filters::decide(tx + ty + tz, bound);
+}
+inline int side_of_plane_filter(const LatticePlane& plane, const LatticePoint& p) {
+  return side_of_plane_filter(in_doubles(plane), p);
 }
 
 }  // namespace crossloft

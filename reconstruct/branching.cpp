@@ -51,7 +51,6 @@ void junctions_first(std::vector<Candidate>& candidates) {
 struct FaceState {
   std::size_t face;  ///< of the cell
   OpenFace open;
-  const SectionLocator& locator;
   std::vector<Vec2> taken;  ///< plane coordinates of the samples
   FaceBranching& out;
 };
@@ -104,7 +103,7 @@ class BranchingCell::Sampler {
 };
 
 BranchingCell::BranchingCell(const SectionGraph& graph, const Arrangement& arrangement,
-                             std::span<const SectionLocator> locators, std::span<const FaceId> ids,
+                             const PlaneLocators& locators, std::span<const FaceId> ids,
                              std::span<const CellFace> faces, std::span<const LatticePoint> points,
                              const BranchingOptions& options)
     : graph_(graph),
@@ -267,7 +266,9 @@ bool BranchingCell::Sampler::keep(const Candidate& c, FaceState& state) const {
   if (maps_[state.face].squared_distance_to_border(c.at, clear * clear) < clear * clear) return false;
   const auto [u, v] = nearest_coordinates(frame.plane(), frame.to_space(c.at));
   const LatticePoint p = plane_point(frame.plane(), u, v);
-  if (!state.open.contains(p) || state.locator.locate(p) != SectionLocator::Place::inside) return false;
+  if (!state.open.contains(p)) return false;
+  const SectionLocator& locator = cell_.locators_.of(cell_.arrangement_.plane_of(state.out.face).value);
+  if (locator.locate(p) != SectionLocator::Place::inside) return false;
   state.out.samples.push_back(p);
   state.out.apart.push_back(clear);
   state.taken.push_back(c.at);
@@ -336,7 +337,6 @@ bool BranchingCell::Sampler::is_of_use(const Candidate& c) const {
 void BranchingCell::Sampler::take(std::size_t face, FaceBranching& out) const {
   FaceState state{face,
                   OpenFace(cell_.graph_, cell_.arrangement_, out.face),
-                  cell_.locators_[cell_.arrangement_.plane_of(out.face).value],
                   {},
                   out};
   std::vector<Candidate> candidates = found_[face];

@@ -34,7 +34,7 @@ class BranchingCell {
  public:
   /// `ids` and `faces` in step: the faces of the cell that are not on the box. `points` by number.
   BranchingCell(const SectionGraph& graph, const Arrangement& arrangement,
-                std::span<const SectionLocator> locators, std::span<const FaceId> ids,
+                const PlaneLocators& locators, std::span<const FaceId> ids,
                 std::span<const CellFace> faces, std::span<const LatticePoint> points,
                 const BranchingOptions& options);
 
@@ -63,7 +63,7 @@ class BranchingCell {
 
   const SectionGraph& graph_;
   const Arrangement& arrangement_;
-  std::span<const SectionLocator> locators_;
+  const PlaneLocators& locators_;
   std::span<const FaceId> ids_;
   std::span<const CellFace> faces_;
   std::span<const LatticePoint> points_;

@@ -211,7 +211,7 @@ Result<Done> Pipeline::find_branching_cells() {
     for (const CellFace& face : faces) most += section_components(*face.triangulation);
     cells_[c].may_branch =
         most > wanted.most_without_samples() &&
-        BranchingCell(graph_, *arrangement_, locators_, ids, faces, numbering_.points, wanted).may_branch();
+        BranchingCell(graph_, *arrangement_, *locators_, ids, faces, numbering_.points, wanted).may_branch();
     return Done{};
   });
 }
@@ -230,7 +230,7 @@ Result<CellBranching> Pipeline::branch(CellId id, CellState& state) {
   const std::vector<CellFace> faces = cell_faces(id, ids);
   if (options_.branching.only_where_lacking() && !observer_ && !is_somewhere_bare(faces))
     return CellBranching{};
-  BranchingCell cell(graph_, *arrangement_, locators_, ids, faces, numbering_.points, options_.branching);
+  BranchingCell cell(graph_, *arrangement_, *locators_, ids, faces, numbering_.points, options_.branching);
   cell.find_bare();
   if (!cell.lacks_something() && !observer_) return CellBranching{};
   if (!state.triangulation) state.triangulation = std::make_unique<CellTriangulation>(faces.size());

@@ -10,20 +10,15 @@ namespace crossloft {
 
 Result<Done> Pipeline::triangulate_faces() {
   inputs_ = face_inputs(graph_, *arrangement_);
-  wall_ends_.resize(graph_.planes.size());
-  locators_.resize(graph_.planes.size());
-  const auto locate = [&](std::size_t p) {
-    locators_[p] = graph_.locator(static_cast<std::uint32_t>(p), wall_ends_[p]);
-  };
-  if (!parallel_for(locators_.size(), context_, "sections", locate)) return cancelled();
+  locators_ = std::make_unique<PlaneLocators>(graph_);
   faces_.resize(inputs_.size());
   const auto good = for_all(inputs_.size(), "faces", [&](std::size_t f) -> Result<Done> {
     const FaceId id{static_cast<std::uint32_t>(f)};
     if (arrangement_->on_box(id)) return Done{};
-    auto face =
-        triangulate_face(graph_, *arrangement_, locators_[arrangement_->plane_of(id).value], inputs_[f]);
+    auto face = triangulate_face(graph_, *arrangement_, *locators_, inputs_[f]);
     if (!face) return face.error();
     faces_[f] = std::move(face).value();
+    inputs_[f].walls = {};  // with samples it starts from the walls of the triangulation
     return Done{};
   });
   if (!good) return good;
@@ -37,8 +32,7 @@ Result<Done> Pipeline::refine_faces(std::span<const std::vector<LatticePoint>> s
   std::vector<std::uint8_t> left_out(faces_.size(), 0);
   const auto good = for_all(faces_.size(), "faces", [&](std::size_t f) -> Result<Done> {
     if (samples[f].empty()) return Done{};
-    const auto& locator = locators_[faces_[f].plane];
-    auto face = refine_face(graph_, *arrangement_, locator, inputs_[f], faces_[f], samples[f]);
+    auto face = refine_face(graph_, *arrangement_, *locators_, inputs_[f], faces_[f], samples[f]);
     if (!face && face.error().code == ErrorCode::too_thin) {
       left_out[f] = 1;
       return Done{};  // it has a triangulation without samples

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <span>
 
 #include "../delaunay/conform.h"
 #include "../delaunay/lattice_predicates.h"
@@ -10,26 +11,82 @@
 
 namespace crossloft {
 
+namespace {
+
+/// Calls use(face) for the faces whose closure has the location, those of the box left out.
+template <class Use>
+void for_each_face(const Arrangement& arrangement, Location at, Use&& use) {
+  const auto inner = [&](FaceId f) {
+    if (!arrangement.on_box(f)) use(f);
+  };
+  if (at.dimension == 2) inner(FaceId{at.index});
+  if (at.dimension == 1) std::ranges::for_each(arrangement.faces_around(ArrEdgeId{at.index}), inner);
+  if (at.dimension == 0) std::ranges::for_each(arrangement.faces_around(ArrVertexId{at.index}), inner);
+}
+
+/// The places of graph vertices in their faces.
+class PlacesInFaces {
+ public:
+  PlacesInFaces(const SectionGraph& graph, const std::vector<FaceInput>& inputs)
+      : graph_(graph), inputs_(inputs), place_(graph.size()) {
+    for (const FaceInput& input : inputs)
+      for (std::uint32_t k = 0; k < input.vertices.size(); ++k) place_[input.vertices[k]] = k;
+  }
+  Wall local(Wall wall, std::uint32_t face) const {
+    wall.a = place(wall.a, face), wall.b = place(wall.b, face);
+    return wall;
+  }
+
+ private:
+  /// A vertex in the open face is in no other; one on a line is searched for.
+  std::uint32_t place(std::uint32_t v, std::uint32_t face) const {
+    if (graph_.locations[v].dimension == 2) return place_[v];
+    const auto& list = inputs_[face].vertices;
+    return static_cast<std::uint32_t>(std::lower_bound(list.begin(), list.end(), v) - list.begin());
+  }
+  const SectionGraph& graph_;
+  const std::vector<FaceInput>& inputs_;
+  std::vector<std::uint32_t> place_;
+};
+
+/// The section vertices of every face. They come ascending, so the lists are too.
+void collect_vertices(const SectionGraph& graph, const Arrangement& arrangement, std::vector<FaceInput>& inputs) {
+  std::vector<std::uint32_t> count(inputs.size(), 0);
+  for (const Location at : graph.locations)
+    for_each_face(arrangement, at, [&](FaceId f) { ++count[f.value]; });
+  for (std::uint32_t f = 0; f < inputs.size(); ++f) inputs[f].vertices.reserve(count[f]);
+  for (std::uint32_t v = 0; v < graph.size(); ++v)
+    for_each_face(arrangement, graph.locations[v], [&](FaceId f) { inputs[f.value].vertices.push_back(v); });
+}
+
+/// How many walls each face has inside.
+std::vector<std::uint32_t> count_walls(const SectionGraph& graph, std::size_t faces) {
+  std::vector<std::uint32_t> count(faces, 0);
+  for (const auto& list : graph.wall_locations)
+    for (const Location at : list)
+      if (at.dimension == 2) ++count[at.index];
+  return count;
+}
+
+}  // namespace
+
 std::vector<FaceInput> face_inputs(const SectionGraph& graph, const Arrangement& arrangement) {
   std::vector<FaceInput> inputs(arrangement.face_count());
-  for (std::uint32_t f = 0; f < inputs.size(); ++f) inputs[f].face = FaceId{f};
-  for (std::uint32_t v = 0; v < graph.size(); ++v) {  // ascending, so the lists are too
-    const Location at = graph.locations[v];
-    const auto add = [&](FaceId f) {
-      if (!arrangement.on_box(f)) inputs[f.value].vertices.push_back(v);
-    };
-    if (at.dimension == 2) add(FaceId{at.index});
-    if (at.dimension == 1) std::ranges::for_each(arrangement.faces_around(ArrEdgeId{at.index}), add);
-    if (at.dimension == 0) std::ranges::for_each(arrangement.faces_around(ArrVertexId{at.index}), add);
+  const std::vector<std::uint32_t> walls = count_walls(graph, inputs.size());
+  for (std::uint32_t f = 0; f < inputs.size(); ++f) {
+    inputs[f].face = FaceId{f};
+    inputs[f].walls.reserve(walls[f]);
   }
+  collect_vertices(graph, arrangement, inputs);
+  const PlacesInFaces places(graph, inputs);
   for (std::uint32_t p = 0; p < graph.planes.size(); ++p)
     for (std::size_t w = 0; w < graph.walls[p].size(); ++w) {
       const Wall& wall = graph.walls[p][w];
       const Location at = graph.wall_locations[p][w];
-      if (at.dimension == 2) inputs[at.index].walls.push_back(wall);
+      if (at.dimension == 2) inputs[at.index].walls.push_back(places.local(wall, at.index));
       if (at.dimension == 1)
         for (const FaceId f : arrangement.faces_around(ArrEdgeId{at.index}))
-          if (arrangement.plane_of(f).value == p) inputs[f.value].border.push_back(wall);
+          if (arrangement.plane_of(f).value == p) inputs[f.value].border.push_back(places.local(wall, f.value));
     }
   return inputs;
 }
@@ -39,25 +96,29 @@ namespace {
 /// Looks up walls by their ends, in either direction.
 class WallTable {
  public:
+  static constexpr std::uint32_t kNoWall = kNone;
+
+  void reserve(std::size_t walls) { walls_.reserve(walls); }
   void add(const Wall& wall) { walls_.push_back(wall.a < wall.b ? wall : reversed(wall)); }
+  const Wall& operator[](std::uint32_t wall) const { return walls_[wall]; }
   /// REQUIRES: ends are below `vertices`.
   void finish(std::size_t vertices) {
-    std::sort(walls_.begin(), walls_.end(), before);
-    begin_.assign(vertices + 1, 0);
-    for (const Wall& wall : walls_) ++begin_[wall.a + std::size_t{1}];
+    begin_.assign(vertices + 2, 0);
+    for (const Wall& wall : walls_) ++begin_[wall.a + std::size_t{2}];
     std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
+    at_.resize(walls_.size());
+    for (std::uint32_t w = 0; w < walls_.size(); ++w) at_[begin_[walls_[w].a + std::size_t{1}]++] = w;
   }
-  /// Among the walls at the smaller end: two as a rule.
-  const Wall* find(std::uint32_t a, std::uint32_t b) const {
-    Wall key;
-    key.a = std::min(a, b), key.b = std::max(a, b);
-    const auto first = walls_.begin() + begin_[key.a], last = walls_.begin() + begin_[key.a + std::size_t{1}];
-    const auto it = std::lower_bound(first, last, key, before);
-    return it != last && it->b == key.b ? &*it : nullptr;
+  /// Among the walls at the smaller end: two at most as a rule.
+  std::uint32_t find(std::uint32_t a, std::uint32_t b) const {
+    const auto [low, high] = std::minmax(a, b);
+    for (std::uint32_t k = begin_[low]; k < begin_[low + std::size_t{1}]; ++k)
+      if (walls_[at_[k]].b == high) return at_[k];
+    return kNoWall;
   }
   /// Whether the section is on the left of the directed edge; REQUIRES find(a, b).
-  static bool inside_left(const Wall& wall, std::uint32_t from) {
-    return wall.inside_left == (wall.a == from);
+  bool inside_left(std::uint32_t wall, std::uint32_t from) const {
+    return walls_[wall].inside_left == (walls_[wall].a == from);
   }
 
  private:
@@ -66,22 +127,23 @@ class WallTable {
     wall.inside_left = !wall.inside_left;
     return wall;
   }
-  static bool before(const Wall& x, const Wall& y) { return x.a != y.a ? x.a < y.a : x.b < y.b; }
   std::vector<Wall> walls_;
-  std::vector<std::uint32_t> begin_;  ///< by smaller end: its first wall
+  std::vector<std::uint32_t> begin_;  ///< by smaller end: its first wall in at_
+  std::vector<std::uint32_t> at_;
 };
 
 /// The work of one face; local numbers throughout.
 class FaceBuilder {
  public:
-  FaceBuilder(const SectionGraph& graph, const Arrangement& arrangement, const SectionLocator& locator,
+  FaceBuilder(const SectionGraph& graph, const Arrangement& arrangement, const PlaneLocators& locators,
               const FaceInput& input)
-      : graph_(graph), arrangement_(arrangement), locator_(locator), input_(input) {
+      : graph_(graph), arrangement_(arrangement), locators_(locators), input_(input) {
     result_.face = input.face;
     result_.plane = arrangement.plane_of(input.face).value;
     result_.vertices = input.vertices;
+    points_.reserve(input.vertices.size());
     for (const std::uint32_t v : input.vertices) points_.push_back(graph.points[v]);
-    for (const Wall& wall : input.walls) walls_.push_back(local(wall));
+    walls_ = input.walls;
   }
   void start_from(const FaceTriangulation& coarse, std::span<const LatticePoint> samples) {
     points_.insert(points_.end(), coarse.added.begin(), coarse.added.end());
@@ -92,14 +154,6 @@ class FaceBuilder {
   Result<FaceTriangulation> run();
 
  private:
-  Wall local(Wall wall) const {
-    const auto index = [&](std::uint32_t v) {
-      const auto it = std::lower_bound(input_.vertices.begin(), input_.vertices.end(), v);
-      return static_cast<std::uint32_t>(it - input_.vertices.begin());
-    };
-    wall.a = index(wall.a), wall.b = index(wall.b);
-    return wall;
-  }
   Result<Done> conform_to_walls(Delaunay2<LatticePredicates2>& tri);
   void find_walls();
   Result<Done> label();
@@ -108,22 +162,26 @@ class FaceBuilder {
 
   const SectionGraph& graph_;
   const Arrangement& arrangement_;
-  const SectionLocator& locator_;
+  const PlaneLocators& locators_;
   const FaceInput& input_;
   std::vector<LatticePoint> points_;
-  std::vector<Wall> walls_;  ///< as they were before conforming, local ends
+  std::span<const Wall> walls_;  ///< as they were before conforming, local ends
   FaceTriangulation result_;
   TriMesh mesh_;
   WallTable table_;
-  std::vector<std::array<const Wall*, 3>> wall_at_;  ///< by triangle: on the side opposite each vertex
+  std::vector<std::array<std::uint32_t, 3>> wall_at_;  ///< by triangle: wall of the table on the side opposite each vertex
 };
 
 Result<Done> FaceBuilder::conform_to_walls(Delaunay2<LatticePredicates2>& tri) {
   std::vector<std::array<std::uint32_t, 2>> segments;
+  segments.reserve(walls_.size());
   for (const Wall& wall : walls_) segments.push_back({wall.a, wall.b});
   FaceSplitter splitter(graph_, arrangement_, input_.face, result_.plane, walls_, points_);
   const auto limit = static_cast<std::uint32_t>(4096 + 64 * walls_.size());
   const ConformResult conformed = conform(tri, segments, splitter, limit);
+  result_.walls.reserve(segments.size());
+  table_.reserve(segments.size() + input_.border.size());
+  for (const Wall& wall : input_.border) table_.add(wall);
   for (std::uint32_t s = 0; s < segments.size(); ++s) {
     Wall piece = walls_[conformed.source[s]];
     piece.a = segments[s][0], piece.b = segments[s][1];
@@ -149,13 +207,23 @@ Result<Done> FaceBuilder::conform_to_walls(Delaunay2<LatticePredicates2>& tri) {
 /// section or outside it.
 bool FaceBuilder::seed(std::uint32_t triangle) const {
   const auto& v = mesh_.vertices[triangle];
-  return locator_.inside_toward(points_[v[0]], points_[v[1]]);
+  return locators_.of(result_.plane).inside_toward(points_[v[0]], points_[v[1]]);
 }
 
+/// Each edge is looked up once, from the later of its triangles or the only one.
 void FaceBuilder::find_walls() {
   table_.finish(points_.size());
-  for (const auto& v : mesh_.vertices)
-    wall_at_.push_back({table_.find(v[1], v[2]), table_.find(v[2], v[0]), table_.find(v[0], v[1])});
+  wall_at_.resize(mesh_.size());
+  for (std::uint32_t t = 0; t < mesh_.size(); ++t)
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      const std::uint32_t n = mesh_.neighbours[t][i];
+      if (n != kNone && n > t) continue;
+      const auto& v = mesh_.vertices[t];
+      const std::uint32_t wall = wall_at_[t][i] = table_.find(v[(i + 1) % 3], v[(i + 2) % 3]);
+      if (n == kNone) continue;
+      const auto& back = mesh_.neighbours[n];
+      wall_at_[n][back[0] == t ? 0 : back[1] == t ? 1 : 2] = wall;
+    }
 }
 
 /// Floods inside and outside from the walls; contradictions are a defect of the walls' orientation.
@@ -177,14 +245,14 @@ Result<Done> FaceBuilder::label() {
       const std::uint32_t t = stack.back();
       stack.pop_back();
       for (std::uint32_t i = 0; i < 3; ++i)
-        if (const std::uint32_t n = mesh_.neighbours[t][i]; n != kNone && !wall_at_[t][i])
+        if (const std::uint32_t n = mesh_.neighbours[t][i]; n != kNone && wall_at_[t][i] == WallTable::kNoWall)
           mark(n, result_.internal[t] != 0);
     }
   };
   for (std::uint32_t t = 0; t < mesh_.size(); ++t)
     for (std::uint32_t i = 0; i < 3; ++i)
-      if (const Wall* wall = wall_at_[t][i])
-        mark(t, WallTable::inside_left(*wall, mesh_.vertices[t][(i + 1) % 3]));
+      if (const std::uint32_t wall = wall_at_[t][i]; wall != WallTable::kNoWall)
+        mark(t, table_.inside_left(wall, mesh_.vertices[t][(i + 1) % 3]));
   flood();
   for (std::uint32_t t = 0; t < mesh_.size(); ++t)
     if (result_.internal[t] == kUnknown) {
@@ -197,6 +265,7 @@ Result<Done> FaceBuilder::label() {
 
 void FaceBuilder::collect_edges() {
   result_.sides.resize(mesh_.size());
+  result_.edges.reserve(points_.size() + mesh_.size());  // Euler: one less, but for points that are none of its vertices
   for (std::uint32_t t = 0; t < mesh_.size(); ++t)
     for (std::uint32_t i = 0; i < 3; ++i) {
       if (const std::uint32_t n = mesh_.neighbours[t][i]; n != kNone && n < t) {
@@ -206,15 +275,14 @@ void FaceBuilder::collect_edges() {
       }
       result_.sides[t][i] = static_cast<std::uint32_t>(result_.edges.size());
       const std::uint32_t a = mesh_.vertices[t][(i + 1) % 3], b = mesh_.vertices[t][(i + 2) % 3];
-      const EdgeKind kind = wall_at_[t][i]             ? EdgeKind::contour
-                            : result_.internal[t] != 0 ? EdgeKind::internal
-                                                       : EdgeKind::external;
+      const EdgeKind kind = wall_at_[t][i] != WallTable::kNoWall ? EdgeKind::contour
+                            : result_.internal[t] != 0           ? EdgeKind::internal
+                                                                 : EdgeKind::external;
       result_.edges.push_back({std::min(a, b), std::max(a, b), kind});
     }
 }
 
 Result<FaceTriangulation> FaceBuilder::run() {
-  for (const Wall& wall : input_.border) table_.add(local(wall));
   LatticePredicates2 predicates(graph_.planes[result_.plane], points_);
   Delaunay2 tri(predicates);
   tri.build();
@@ -233,15 +301,15 @@ Result<FaceTriangulation> FaceBuilder::run() {
 }  // namespace
 
 Result<FaceTriangulation> triangulate_face(const SectionGraph& graph, const Arrangement& arrangement,
-                                           const SectionLocator& locator, const FaceInput& input) {
-  return FaceBuilder(graph, arrangement, locator, input).run();
+                                           const PlaneLocators& locators, const FaceInput& input) {
+  return FaceBuilder(graph, arrangement, locators, input).run();
 }
 
 Result<FaceTriangulation> refine_face(const SectionGraph& graph, const Arrangement& arrangement,
-                                      const SectionLocator& locator, const FaceInput& input,
+                                      const PlaneLocators& locators, const FaceInput& input,
                                       const FaceTriangulation& coarse,
                                       std::span<const LatticePoint> samples) {
-  FaceBuilder builder(graph, arrangement, locator, input);
+  FaceBuilder builder(graph, arrangement, locators, input);
   builder.start_from(coarse, samples);
   return builder.run();
 }

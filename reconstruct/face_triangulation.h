@@ -9,6 +9,7 @@
 
 #include "../arrangement/section_graph.h"
 #include "../prune/cell_complex.h"
+#include "plane_locators.h"
 
 namespace crossloft {
 
@@ -42,23 +43,22 @@ struct FaceTriangulation {
 struct FaceInput {
   FaceId face;
   std::vector<std::uint32_t> vertices;  ///< all section vertices on the closed face, ascending
-  std::vector<Wall> walls;              ///< in the open face
-  std::vector<Wall> border;             ///< on its edges, of the face's own plane
+  std::vector<Wall> walls;              ///< in the open face; ends by place in `vertices`
+  std::vector<Wall> border;             ///< on its edges, of the face's own plane; likewise
 };
 
 /// The inputs of all faces that are not on the box, by face.
 std::vector<FaceInput> face_inputs(const SectionGraph& graph, const Arrangement& arrangement);
 
-/// Triangulates; without area in its vertices the face has no triangles. `locator` tests its plane.
-/// Independent of other faces: may run in parallel. Error too_thin (with plane and contour) if a contour edge
+/// Triangulates; without area in its vertices the face has no triangles. Independent of other faces: may run in parallel. Error too_thin (with plane and contour) if a contour edge
 /// could not be recovered.
 Result<FaceTriangulation> triangulate_face(const SectionGraph& graph, const Arrangement& arrangement,
-                                           const SectionLocator& locator, const FaceInput& input);
+                                           const PlaneLocators& locators, const FaceInput& input);
 /// Triangulates the face anew with samples inside its section; what `coarse` has keeps its local number. Its
 /// walls may be split further, so that they are edges again. REQUIRES: samples are distinct lattice points
 /// strictly inside the face and its section, and no vertices of `coarse`.
 Result<FaceTriangulation> refine_face(const SectionGraph& graph, const Arrangement& arrangement,
-                                      const SectionLocator& locator, const FaceInput& input,
+                                      const PlaneLocators& locators, const FaceInput& input,
                                       const FaceTriangulation& coarse, std::span<const LatticePoint> samples);
 
 /// Which edges on plane-plane lines are in the closed section of every plane through them: decided once, for

@@ -165,8 +165,7 @@ class Pipeline {
   SectionGraph graph_;
   std::vector<FaceInput> inputs_;  ///< by face of the arrangement, like faces_
   std::vector<FaceTriangulation> faces_;
-  std::vector<std::vector<WallEnds>> wall_ends_;  ///< what locators_ look at
-  std::vector<SectionLocator> locators_;          ///< by plane
+  std::unique_ptr<PlaneLocators> locators_;
   std::unique_ptr<LineEdges> line_edges_;
   Numbering numbering_;
   std::unique_ptr<LazySectionField> field_;  ///< mode natural
