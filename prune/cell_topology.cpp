@@ -1,6 +1,7 @@
 #include "cell_topology.h"
 
 #include <algorithm>
+#include <array>
 
 #include "../geom/disjoint_sets.h"
 #include "links.h"
@@ -31,26 +32,43 @@ class CellSurface {
   }
 
  private:
+  /// The facets of S that a tetrahedron has: the first of them, and a bit for each.
+  struct FacetsOf {
+    std::uint32_t first, facets;
+  };
+  static constexpr std::array<std::uint8_t, 8> kBits{0, 1, 1, 2, 1, 2, 2, 3};  ///< by mask: bits set
+
   /// Of a vertex, by rising certainty.
   enum class Link : std::uint8_t { good, doubtful, bad, counted };
 
-  std::uint32_t size() const { return static_cast<std::uint32_t>(facets_.size()); }
+  std::uint32_t size() const { return size_; }
 
   void collect() {
-    for (std::uint32_t t = 0; t < kept_.size(); ++t) {
-      if (kept_[t] == 0) continue;
-      first_[t] = size();
-      for (std::uint8_t i = 0; i < 4; ++i) {
-        const std::uint32_t n = complex_.mesh.neighbours[t][i];
-        if (n == kNone ? !ground_.is_ground(t, i) : kept_[n] == 0) facets_.push_back({t, i});
-      }
-    }
-    first_bare_ = size();
+    facets_.resize(4);
+    for (std::uint32_t t = 0; t < kept_.size(); ++t)
+      if (kept_[t] != 0) add_facets(t, [&](std::uint8_t i) {
+          const std::uint32_t n = complex_.mesh.neighbours[t][i];
+          return n == kNone ? !ground_.is_ground(t, i) : kept_[n] == 0;
+        });
+    first_bare_ = size_;
     for (std::uint32_t g = 0; g < ground_.size(); ++g) {
-      const Facet& f = ground_.facet(g);
-      if (kept_[f.tet] != 0) continue;
-      if (size() == first_bare_ || facets_.back().tet != f.tet) first_[f.tet] = size();
-      facets_.push_back(f);
+      const std::uint32_t t = ground_.facet(g).tet;
+      const bool is_first = g == 0 || ground_.facet(g - 1).tet != t;
+      if (is_first && kept_[t] == 0) add_facets(t, [&](std::uint8_t i) { return ground_.is_ground(t, i); });
+    }
+    facets_.resize(size_);
+  }
+
+  /// Those of t that are on S. Without branches: which ones can't be predicted.
+  template <class IsOnSurface>
+  void add_facets(std::uint32_t t, IsOnSurface is_on_surface) {
+    if (facets_.size() < size_ + std::size_t{4}) facets_.resize(2 * facets_.size());
+    first_[t] = {size_, 0};
+    for (std::uint8_t i = 0; i < 4; ++i) {
+      const bool is_on = is_on_surface(i);
+      facets_[size_] = {t, i};
+      size_ += is_on ? 1U : 0U;
+      first_[t].facets |= (is_on ? 1U : 0U) << i;
     }
   }
 
@@ -64,34 +82,39 @@ class CellSurface {
 
   /// Sides are paired through the solid, as in gluing.
   void pair_sides() {
-    from_.reserve(std::size_t{3} * size());
+    from_.resize(std::size_t{3} * size());
     for (std::uint32_t s = 0; s < size(); ++s)
-      for (unsigned k = 0; k < 3; ++k) from_.push_back(complex_.mesh.vertices[facets_[s].tet][slot(s, k)]);
+      for (unsigned k = 0; k < 3; ++k) from_[3 * s + k] = complex_.mesh.vertices[facets_[s].tet][slot(s, k)];
     mate_.assign(from_.size(), kNone);
-    for (std::uint32_t side = 0; side < mate_.size(); ++side) {
-      if (mate_[side] != kNone) continue;
-      const std::uint32_t s = side / 3;
-      const Facet end = across(s, kEdgeCorner[slot(s, side % 3)][slot(s, next(side) % 3)]);
-      if (end.tet == kNone) {
-        ++ends_;
-      } else {
-        mate_[side] = side_from(end, to(side));
-        mate_[mate_[side]] = side;
+    for (std::uint32_t s = 0; s < size(); ++s)
+      for (unsigned k = 0; k < 3; ++k) {
+        const std::uint32_t side = 3 * s + k;
+        if (mate_[side] != kNone) continue;
+        const Facet end = across(s, slot(s, (k + 2) % 3));
+        if (end.tet == kNone) {
+          ++ends_;
+          continue;
+        }
+        const std::uint32_t other = side_from(end, from_[3 * s + (k + 1) % 3]);
+        mate_[side] = other;
+        mate_[other] = side;
       }
-    }
   }
 
-  Facet across(std::uint32_t s, unsigned corner) const {
-    Facet f = facets_[s];
-    if (s < first_bare_) f.facet = other_facet(f.facet, corner);
-    return turn_through_solid(complex_, ground_, kept_, f, corner);
+  /// From triangle s around its edge opposite to a slot: from within the solid, or from a bare one into the
+  /// ground.
+  Facet across(std::uint32_t s, unsigned opposite) const {
+    const Facet& f = facets_[s];
+    const bool bare = s >= first_bare_;
+    return turn_through_solid(complex_, ground_, kept_,
+                              bare ? Turn(f.tet, f.facet, opposite) : Turn(f.tet, opposite, f.facet));
   }
 
   /// The side of a facet of S that starts at vertex v.
   std::uint32_t side_from(Facet f, std::uint32_t v) const {
-    std::uint32_t s = first_[f.tet];
-    while (facets_[s].facet != f.facet) ++s;
-    return 3 * s + (from_[3 * s] == v ? 0U : from_[3 * s + 1] == v ? 1U : 2U);
+    const FacetsOf& of = first_[f.tet];
+    const std::uint32_t s = of.first + kBits[of.facets & ((1U << f.facet) - 1)];
+    return 3 * s + (from_[3 * s + 1] == v ? 1U : 0U) + (from_[3 * s + 2] == v ? 2U : 0U);
   }
 
   /// Open umbrellas along the boundary curves, then closed ones.
@@ -199,8 +222,9 @@ class CellSurface {
   const CellComplex& complex_;
   const Ground& ground_;
   const std::vector<std::uint8_t>& kept_;
-  std::vector<std::uint32_t> first_;  ///< by tetrahedron with facets of S: the first of them
-  std::vector<Facet> facets_;         ///< of kept tetrahedra, then of bare ones
+  std::vector<FacetsOf> first_;  ///< by tetrahedron, if it has facets of S
+  std::vector<Facet> facets_;    ///< of kept tetrahedra, then of bare ones
+  std::uint32_t size_ = 0;       ///< how many
   std::uint32_t first_bare_ = 0;
   std::vector<std::uint32_t> from_;  ///< by side: the vertex where it starts
   std::vector<std::uint32_t> mate_;  ///< by side, kNone where S ends

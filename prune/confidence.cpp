@@ -11,15 +11,34 @@ namespace crossloft {
 namespace {
 
 /// The points of a tetrahedron where it is measured: its centroid, then the middles from there to its
-/// vertices. By twos, with the centroid a second time as the last one.
+/// vertices. By twos, with the centroid a second time as the last one. What can't be predicted is decided without
+/// branches.
 constexpr std::size_t kPoints = 5, kPairs = 3;
-using Lanes = std::array<Pair, kPairs>;
+constexpr double kNowhere = std::numeric_limits<double>::infinity();
+
+/// A number for each point.
+class Lanes {
+ public:
+  Pair& operator[](std::size_t pair) { return pairs_[pair]; }
+  const Pair& operator[](std::size_t pair) const { return pairs_[pair]; }
+  double of(std::size_t point) const { return pairs_[point / 2][point % 2]; }
+  void lower(std::size_t point, double to) { pairs_[point / 2][point % 2] = std::min(to, of(point)); }
+
+ private:
+  std::array<Pair, kPairs> pairs_;
+};
 
 struct Points {
   Lanes x, y, z;
 
-  void set(std::size_t k, Vec3 p) { x[k / 2][k % 2] = p.x, y[k / 2][k % 2] = p.y, z[k / 2][k % 2] = p.z; }
-  Vec3 at(std::size_t k) const { return {x[k / 2][k % 2], y[k / 2][k % 2], z[k / 2][k % 2]}; }
+  Points(Vec3 centroid, const std::array<Vec3, 4>& middles) {
+    const std::array<Vec3, 6> all{centroid, middles[0], middles[1], middles[2], middles[3], centroid};
+    for (std::size_t k = 0; k < kPairs; ++k) {
+      const Vec3 &p = all[2 * k], &q = all[2 * k + 1];
+      x[k] = Pair{p.x, q.x}, y[k] = Pair{p.y, q.y}, z[k] = Pair{p.z, q.z};
+    }
+  }
+  Vec3 at(std::size_t k) const { return {x.of(k), y.of(k), z.of(k)}; }
 };
 
 /// Squared distances to the two parts of the cell's boundary.
@@ -38,6 +57,7 @@ void take_vertex(const Points& p, Vec3 a, Lanes& least) {
 void take_edge(const Points& p, Vec3 a, Vec3 b, bool is_contour, Distances& d) {
   const Vec3 along = b - a;
   const double length = dot(along, along);
+  const Pair if_not_contour = both(is_contour ? 0 : kNowhere);
   for (std::size_t k = 0; k < kPairs; ++k) {
     const Pair x = p.x[k] - a.x, y = p.y[k] - a.y, z = p.z[k] - a.z;
     Pair t = (x * along.x + y * along.y + z * along.z) / length;
@@ -46,7 +66,7 @@ void take_edge(const Points& p, Vec3 a, Vec3 b, bool is_contour, Distances& d) {
     const Pair u = x - t * along.x, v = y - t * along.y, w = z - t * along.z;
     const Pair square = u * u + v * v + w * w;
     d.in[k] = least_of(square, d.in[k]);
-    if (is_contour) d.out[k] = least_of(square, d.out[k]);
+    d.out[k] = least_of(square + if_not_contour, d.out[k]);
   }
 }
 
@@ -54,32 +74,39 @@ void take_edge(const Points& p, Vec3 a, Vec3 b, bool is_contour, Distances& d) {
 Distances to_contours(const CellComplex& complex, const CellShape& shape, std::uint32_t t, const Points& p) {
   const auto& v = complex.mesh.vertices[t];
   Distances d;
-  d.in.fill(both(std::numeric_limits<double>::infinity()));
+  for (std::size_t k = 0; k < kPairs; ++k) d.in[k] = both(kNowhere);
   for (const std::uint32_t corner : v) take_vertex(p, shape.points[corner], d.in);
   d.out = d.in;
-  for (unsigned e = 0; e < 6; ++e) {
-    const EdgeKind kind = complex.edges[t][e];
-    if (kind == EdgeKind::free) continue;
+  unsigned grounded = 0;
+  for (unsigned e = 0; e < 6; ++e) grounded |= (complex.edges[t][e] != EdgeKind::free ? 1U : 0U) << e;
+  for (; grounded != 0; grounded &= grounded - 1) {
+    const auto e = static_cast<unsigned>(__builtin_ctz(grounded));
     take_edge(p, shape.points[v[kEdgeSlots[e][0]]], shape.points[v[kEdgeSlots[e][1]]],
-              kind == EdgeKind::contour, d);
+              complex.edges[t][e] == EdgeKind::contour, d);
   }
   return d;
 }
 
 /// Asks the section only where the face is nearer than what was found before.
 void take_face(const FacePlane& face, const SectionRows& section, const Points& p, Distances& d) {
-  for (std::size_t pair = 0; pair < kPairs; ++pair) {
-    const Pair height =
-        face.normal.x * p.x[pair] + face.normal.y * p.y[pair] + face.normal.z * p.z[pair] + face.offset;
-    const Pair square = height * height;
-    const auto nearer = square < (d.in[pair] < d.out[pair] ? d.out[pair] : d.in[pair]);
-    if ((nearer[0] | nearer[1]) == 0) continue;
-    for (std::size_t k = 0; k < 2 && 2 * pair + k < kPoints; ++k) {
-      const bool nearer_in = square[k] < d.in[pair][k], nearer_out = square[k] < d.out[pair][k];
-      if (!nearer_in && !nearer_out) continue;
-      const bool in = !section.empty() && section.contains(p.at(2 * pair + k) - height[k] * face.normal);
-      if (in ? nearer_in : nearer_out) (in ? d.in : d.out)[pair][k] = square[k];
-    }
+  Lanes height, square, known;
+  for (std::size_t k = 0; k < kPairs; ++k) {
+    height[k] = face.normal.x * p.x[k] + face.normal.y * p.y[k] + face.normal.z * p.z[k] + face.offset;
+    square[k] = height[k] * height[k];
+    known[k] = largest_of(d.in[k], d.out[k]);
+  }
+  std::array<std::uint8_t, kPoints> asked;
+  std::size_t count = 0;
+  for (std::uint8_t k = 0; k < kPoints; ++k) {
+    asked[count] = k;
+    count += square.of(k) < known.of(k) ? 1 : 0;
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t k = asked[i];
+    const bool in = !section.empty() && section.contains(p.at(k) - height.of(k) * face.normal);
+    const std::array<double, 3> pick{kNowhere, square.of(k), kNowhere};
+    d.in.lower(k, pick[in ? 1 : 0]);
+    d.out.lower(k, pick[in ? 2 : 1]);
   }
 }
 
@@ -94,7 +121,7 @@ double reach_of(const Distances& d) {
 std::int32_t mean_of(const Distances& d) {
   double sum = 0;
   for (std::size_t k = 0; k < kPoints; ++k) {
-    const double in = std::sqrt(d.in[k / 2][k % 2]), out = std::sqrt(d.out[k / 2][k % 2]);
+    const double in = std::sqrt(d.in.of(k)), out = std::sqrt(d.out.of(k));
     sum += (k == 0 ? 0.4 : 0.15) * (in + out > 0 ? (out - in) / (out + in) : 0);
   }
   return static_cast<std::int32_t>(std::floor(sum * kCertain + 0.5));
@@ -130,15 +157,14 @@ std::int32_t ConfidenceMeter::measure(std::uint32_t t) {
   const auto v = sorted_vertices(complex_.mesh, t);
   const auto& at = shape_.points;
   const Vec3 centroid = 0.25 * ((at[v[0]] + at[v[1]]) + (at[v[2]] + at[v[3]]));
-  Points p;
-  p.set(0, centroid);
+  std::array<Vec3, 4> middles;
   double farthest = 0;
-  for (std::size_t k = 1; k < kPoints; ++k) {
-    const Vec3 point = 0.5 * (centroid + at[v[k - 1]]), away = point - centroid;
-    p.set(k, point);
+  for (std::size_t k = 0; k < 4; ++k) {
+    middles[k] = 0.5 * (centroid + at[v[k]]);
+    const Vec3 away = middles[k] - centroid;
     farthest = std::max(farthest, dot(away, away));
   }
-  p.set(kPoints, centroid);
+  const Points p(centroid, middles);
   Distances d = to_contours(complex_, shape_, t, p);
   find_near_faces(centroid, std::sqrt(farthest), reach_of(d));
   for (const NearFace& near : near_) take_face(shape_.faces[near.face], sections_[near.face], p, d);

@@ -75,8 +75,14 @@ std::uint32_t Ground::part_count() const {
 
 Facet turn_through_solid(const CellComplex& complex, const Ground& ground,
                          const std::vector<std::uint8_t>& kept, Facet from, unsigned corner) {
+  return turn_through_solid(complex, ground, kept,
+                            Turn(from.tet, from.facet, other_facet(from.facet, corner)));
+}
+
+Facet turn_through_solid(const CellComplex& complex, const Ground& ground,
+                         const std::vector<std::uint8_t>& kept, Turn turn) {
   const TetMesh& mesh = complex.mesh;
-  for (Turn turn(from.tet, from.facet, other_facet(from.facet, corner));;) {
+  for (;;) {
     const std::uint32_t n = turn.next(mesh);
     if (n != kNone && kept[n] != 0) {
       turn.enter(mesh, n);

@@ -68,5 +68,8 @@ class Ground {
 /// comes back to where it started, as it does if a tetrahedron at the edge is not kept.
 Facet turn_through_solid(const CellComplex& complex, const Ground& ground,
                          const std::vector<std::uint8_t>& kept, Facet from, unsigned corner);
+/// The same; the facet that it goes out of first is `from`.
+Facet turn_through_solid(const CellComplex& complex, const Ground& ground,
+                         const std::vector<std::uint8_t>& kept, Turn turn);
 
 }  // namespace crossloft

@@ -60,21 +60,23 @@ std::vector<std::uint32_t> part_names(const CellComplex& complex, const Ground& 
 
 std::vector<std::uint32_t> by_confidence(const CellComplex& complex, const std::vector<std::uint8_t>& chosen,
                                          std::span<const std::int32_t> confidence) {
-  struct Entry {
-    std::int32_t confidence;
-    std::uint32_t tet;
-  };
-  std::vector<Entry> entries;
-  for (std::uint32_t t = 0; t < chosen.size(); ++t) {
-    if (chosen[t] == 0) continue;
-    entries.push_back({confidence[t], t});
-  }
-  std::sort(entries.begin(), entries.end(), [&](const Entry& x, const Entry& y) {
-    if (x.confidence != y.confidence) return x.confidence > y.confidence;
-    return sorted_vertices(complex.mesh, x.tet) < sorted_vertices(complex.mesh, y.tet);
-  });
+  std::vector<std::uint64_t> entries;  // by falling confidence, then tetrahedron
+  for (std::uint32_t t = 0; t < chosen.size(); ++t)
+    if (chosen[t] != 0)
+      entries.push_back(static_cast<std::uint64_t>(std::int64_t{INT32_MAX} - confidence[t]) << 32 | t);
+  std::sort(entries.begin(), entries.end());
   std::vector<std::uint32_t> order;
-  for (const Entry& e : entries) order.push_back(e.tet);
+  order.reserve(entries.size());
+  for (const std::uint64_t e : entries) order.push_back(static_cast<std::uint32_t>(e));
+  for (std::size_t first = 0, last = 0; first < order.size(); first = last) {
+    while (last < order.size() && confidence[order[last]] == confidence[order[first]]) ++last;
+    if (last - first < 2) continue;
+    const auto at = order.begin();
+    std::sort(at + static_cast<std::ptrdiff_t>(first), at + static_cast<std::ptrdiff_t>(last),
+              [&](std::uint32_t x, std::uint32_t y) {
+                return sorted_vertices(complex.mesh, x) < sorted_vertices(complex.mesh, y);
+              });
+  }
   return order;
 }
 

@@ -199,19 +199,30 @@ bool Pipeline::is_near_branching(std::span<const FaceId> ids) const {
   });
 }
 
-/// A cell's components are no more than those of its faces together: most cells of a stack are told by that.
+/// A cell's components are no more than those of its faces together, and as many where the faces have no
+/// vertices in common: most cells are told by that, all of a stack.
 Result<Done> Pipeline::find_branching_cells() {
   const BranchingOptions& wanted = options_.branching;
   if (wanted.mode == Branching::off && !wanted.cutting) return Done{};
+  std::vector<std::uint32_t> components(faces_.size());
+  std::vector<std::uint8_t> on_lines(faces_.size());
+  const auto count = [&](std::size_t f) -> Result<Done> {
+    components[f] = section_components(faces_[f]);
+    const auto& v = faces_[f].vertices;
+    on_lines[f] = std::any_of(v.begin(), v.end(), [&](auto x) { return graph_.locations[x].dimension != 2; });
+    return Done{};
+  };
+  if (auto done = for_all(faces_.size(), "facing sections", count); !done) return done;
   return for_all(cells_.size(), "facing sections", [&](std::size_t c) -> Result<Done> {
     const CellId id{static_cast<std::uint32_t>(c)};
     const std::vector<FaceId> ids = inner_faces(id);
-    const std::vector<CellFace> faces = cell_faces(id, ids);
     std::uint32_t most = 0;
-    for (const CellFace& face : faces) most += section_components(*face.triangulation);
-    cells_[c].may_branch =
-        most > wanted.most_without_samples() &&
-        BranchingCell(graph_, *arrangement_, *locators_, ids, faces, numbering_.points, wanted).may_branch();
+    bool meet = false;
+    for (const FaceId f : ids) most += components[f.value], meet |= on_lines[f.value] != 0;
+    cells_[c].may_branch = most > wanted.most_without_samples() &&
+                           (!meet || BranchingCell(graph_, *arrangement_, *locators_, ids,
+                                                   cell_faces(id, ids), numbering_.points, wanted)
+                                         .may_branch());
     return Done{};
   });
 }

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <utility>
 #include <vector>
 
 #include "../geom/ids.h"
@@ -40,9 +39,9 @@ class GroundedTable {
     std::uint32_t before;  ///< the triangle with the same smallest vertex that came before it
   };
   static void sort(Key& k) {
-    if (k[0] > k[1]) std::swap(k[0], k[1]);
-    if (k[1] > k[2]) std::swap(k[1], k[2]);
-    if (k[0] > k[1]) std::swap(k[0], k[1]);
+    // Without branches: the order can't be predicted.
+    const std::uint32_t low = std::min(k[0], k[1]), high = std::max(k[0], k[1]);
+    k = {std::min(low, k[2]), std::max(low, std::min(high, k[2])), std::max(high, k[2])};
   }
   std::vector<std::uint32_t> last_;  ///< by vertex
   std::vector<Entry> entries_;
