@@ -7,8 +7,8 @@
 namespace crossloft {
 namespace {
 
-/// An even permutation with the smallest vertex first and the second smallest of the rest next. Without branches:
-/// which ones they are can't be predicted.
+/// An even permutation with the smallest vertex first and the second smallest of the rest next. Without
+/// branches: which ones they are can't be predicted.
 std::array<std::uint32_t, 4> canonical(const std::array<std::uint32_t, 4>& t) {
   constexpr std::uint8_t kEven[4][4] = {{0, 1, 2, 3}, {1, 0, 3, 2}, {2, 3, 0, 1}, {3, 2, 1, 0}};
   constexpr std::uint8_t kTurned[3][3] = {{1, 2, 3}, {2, 3, 1}, {3, 1, 2}};

@@ -199,8 +199,8 @@ bool Pipeline::is_near_branching(std::span<const FaceId> ids) const {
   });
 }
 
-/// A cell's components are no more than those of its faces together, and as many where the faces have no vertices
-/// in common: most cells are told by that, all of a stack.
+/// A cell's components are no more than those of its faces together, and as many where the faces have no
+/// vertices in common: most cells are told by that, all of a stack.
 Result<Done> Pipeline::find_branching_cells() {
   const BranchingOptions& wanted = options_.branching;
   if (wanted.mode == Branching::off && !wanted.cutting) return Done{};
