@@ -46,7 +46,8 @@ class CellSurface {
   void collect() {
     facets_.resize(4);
     for (std::uint32_t t = 0; t < kept_.size(); ++t)
-      if (kept_[t] != 0) add_facets(t, [&](std::uint8_t i) {
+      if (kept_[t] != 0)
+        add_facets(t, [&](std::uint8_t i) {
           const std::uint32_t n = complex_.mesh.neighbours[t][i];
           return n == kNone ? !ground_.is_ground(t, i) : kept_[n] == 0;
         });

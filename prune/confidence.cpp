@@ -11,8 +11,8 @@ namespace crossloft {
 namespace {
 
 /// The points of a tetrahedron where it is measured: its centroid, then the middles from there to its
-/// vertices. By twos, with the centroid a second time as the last one. What can't be predicted is decided without
-/// branches.
+/// vertices. By twos, with the centroid a second time as the last one. What can't be predicted is decided
+/// without branches.
 constexpr std::size_t kPoints = 5, kPairs = 3;
 constexpr double kNowhere = std::numeric_limits<double>::infinity();
 
@@ -132,7 +132,8 @@ std::int32_t mean_of(const Distances& d) {
 ConfidenceMeter::ConfidenceMeter(const CellComplex& complex, const Ground& ground, const CellShape& shape)
     : complex_(complex), shape_(shape), sections_(section_rows(complex, ground, shape)) {
   double scale = 0;
-  for (const Vec3& p : shape.points) scale = std::max(scale, std::fabs(p.x) + std::fabs(p.y) + std::fabs(p.z));
+  for (const Vec3& p : shape.points)
+    scale = std::max(scale, std::fabs(p.x) + std::fabs(p.y) + std::fabs(p.z));
   for (const FacePlane& face : shape.faces) scale = std::max(scale, std::fabs(face.offset));
   slack_ = scale * 0x1p-44;
 }

@@ -66,7 +66,7 @@ unsigned GrowingSolid::glued_facets(std::uint32_t t) const {
 
 /// Where the solid around the edge between facets i and j of t ends, starting across i.
 Facet GrowingSolid::end_of_turn(std::uint32_t t, unsigned i, unsigned j) const {
-  return turn_through_solid(complex_, ground_, kept_, {t, static_cast<std::uint8_t>(i)}, opposite_edge(i, j));
+  return turn_through_solid(complex_, ground_, kept_, Turn(t, i, j));
 }
 
 std::vector<std::uint32_t> GrowingSolid::outside_around(std::uint32_t t, const Contact& contact) const {

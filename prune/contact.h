@@ -23,6 +23,8 @@ struct Contact {
   bool is_dome() const { return parts == 1 && loops > 0; }
   /// All of the tetrahedron is in contact: it is the last of a hole.
   bool is_plug() const { return parts == 1 && loops < 0; }
+  /// Disks in different bodies.
+  bool is_join() const { return parts > 1 && loops == 0 && different_bodies() == parts; }
   /// By which adding the tetrahedron changes the Euler characteristic of the solid.
   int change() const { return loops + 1 - parts; }
   int different_bodies() const;

@@ -15,8 +15,8 @@ constexpr std::array<std::array<std::uint8_t, kCorners>, 4> side_table() {
 }
 constexpr auto kSides = side_table();
 
-/// Finds the side of a triangle that runs against another one's: on the hull each edge has two triangles, seen
-/// from outside in opposite directions.
+/// Finds the side of a triangle that runs against another one's: on the hull each edge has two triangles,
+/// seen from outside in opposite directions.
 class SideMatcher {
  public:
   SideMatcher(std::uint32_t vertices, std::uint32_t sides) : last_(vertices, kNone), sides_(sides) {}

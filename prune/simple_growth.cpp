@@ -104,7 +104,7 @@ class SimpleGrowth {
     const Contact contact = solid_.contact(t);
     const bool is_easy = contact.is_simple() || contact.is_plug();
     if (!is_easy && contact.is_dome() && (!domes || !may_close(t, contact))) return false;
-    if (!is_easy && !contact.is_dome() && bodies_to_join(contact).size() < 2) return false;
+    if (!is_easy && !contact.is_dome() && !contact.is_join()) return false;
     if (!open_.empty() && parts_what_stays_open(t)) return false;
     if (!is_easy && contact.is_dome()) result_.domes.push_back(confidence_[t]);
     if (!is_easy && !contact.is_dome() && !join(t, contact)) return false;
@@ -132,25 +132,23 @@ class SimpleGrowth {
     return changed;
   }
 
-  /// The different bodies in a contact by their names, one for each of its parts; empty if two parts are of
-  /// one body. (By numbers they would come in an order that depends on the tetrahedra's.)
+  /// The different bodies in a contact by their names, one for each of its parts. REQUIRES: it is a
+  /// join. (By numbers they would come in an order that depends on the tetrahedra's.)
   std::vector<std::uint32_t> bodies_to_join(const Contact& contact) const {
     std::vector<std::uint32_t> bodies;
     for (unsigned i = 0; i < 4; ++i)
       if ((contact.facets >> i & 1U) != 0) bodies.push_back(contact.bodies[i]);
     std::sort(bodies.begin(), bodies.end());
     bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
-    if (static_cast<int>(bodies.size()) != contact.parts || contact.loops != 0) bodies.clear();
     std::stable_sort(bodies.begin(), bodies.end(), [&](std::uint32_t a, std::uint32_t b) {
       return vertex_of_body_[a] < vertex_of_body_[b];
     });
     return bodies;
   }
 
-  /// True if the tetrahedron may join the bodies of its contact; they are then one.
+  /// True if the tetrahedron may join the bodies of its contact, a join; they are then one.
   bool join(std::uint32_t t, const Contact& contact) {
     const std::vector<std::uint32_t> bodies = bodies_to_join(contact);
-    if (bodies.size() < 2) return false;
     bool wanted = false;
     for (std::size_t w = 0; w < wished_.size(); ++w) {
       if (!concerns(w, bodies)) continue;
@@ -252,7 +250,9 @@ class SimpleGrowth {
     std::vector<Join> refused;
     for (const std::uint32_t rank : put_off_) {
       const std::uint32_t t = order_[rank];
-      const std::vector<std::uint32_t> bodies = bodies_to_join(solid_.contact(t));
+      const Contact contact = solid_.contact(t);
+      if (!contact.is_join()) continue;
+      const std::vector<std::uint32_t> bodies = bodies_to_join(contact);
       for (std::size_t i = 1; i < bodies.size(); ++i)
         refused.push_back({vertex_of_body_[bodies[0]], vertex_of_body_[bodies[i]], -confidence_[t], false});
     }

@@ -1,5 +1,6 @@
 #include "solidity.h"
 
+#include <algorithm>
 #include <array>
 
 #include "star.h"
@@ -174,11 +175,12 @@ bool has_ground_everywhere(const CellComplex& complex, const std::vector<std::ui
   const std::vector<std::uint8_t> on_ground = vertices_on_ground(complex);
   std::vector<std::uint8_t> on_line(complex.vertex_count);
   for (std::uint32_t v = 0; v < complex.vertex_count; ++v) on_line[v] = is_on_two_faces(complex, v) ? 1 : 0;
+  const bool has_lines = std::find(on_line.begin(), on_line.end(), 1) != on_line.end();
   for (std::uint32_t t = 0; t < kept.size(); ++t) {
     if (kept[t] == 0) continue;
     const auto& v = complex.mesh.vertices[t];
     if ((on_ground[v[0]] & on_ground[v[1]] & on_ground[v[2]] & on_ground[v[3]]) == 0) return false;
-    for (unsigned e = 0; e < 6; ++e)
+    for (unsigned e = 0; e < 6 && has_lines; ++e)
       if (complex.edges[t][e] != EdgeKind::free &&
           (on_line[v[kEdgeSlots[e][0]]] & on_line[v[kEdgeSlots[e][1]]]) != 0 &&
           !has_ground_at_edge(complex, t, 4 + e))

@@ -114,7 +114,8 @@ class Turn {
 template <class Visit>
 void visit_around_edge(const TetMesh& mesh, std::uint32_t start, unsigned corner, Visit&& visit) {
   const unsigned both = kCornerFacets[corner];
-  const auto low = static_cast<unsigned>(__builtin_ctz(both)), high = 31U - static_cast<unsigned>(__builtin_clz(both));
+  const auto low = static_cast<unsigned>(__builtin_ctz(both)),
+             high = 31U - static_cast<unsigned>(__builtin_clz(both));
   for (const Turn& side : {Turn(start, low, high), Turn(start, high, low)}) {
     Turn turn = side;
     for (std::uint32_t n; (n = turn.next(mesh)) != kNone;) {

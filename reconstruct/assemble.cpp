@@ -7,18 +7,17 @@
 namespace crossloft {
 namespace {
 
-/// An even permutation with the smallest vertex first and the second smallest of the rest next.
-std::array<std::uint32_t, 4> canonical(std::array<std::uint32_t, 4> t) {
-  const auto first = std::min_element(t.begin(), t.end()) - t.begin();
-  if (first != 0) {
-    std::swap(t[0], t[static_cast<std::size_t>(first)]);
-    std::swap(t[first == 1 ? 2 : 1], t[3]);
-  }
-  while (t[1] > t[2] || t[1] > t[3]) {
-    const std::uint32_t v = t[1];
-    t[1] = t[2], t[2] = t[3], t[3] = v;
-  }
-  return t;
+/// An even permutation with the smallest vertex first and the second smallest of the rest next. Without
+/// branches: which ones they are can't be predicted.
+std::array<std::uint32_t, 4> canonical(const std::array<std::uint32_t, 4>& t) {
+  constexpr std::uint8_t kEven[4][4] = {{0, 1, 2, 3}, {1, 0, 3, 2}, {2, 3, 0, 1}, {3, 2, 1, 0}};
+  constexpr std::uint8_t kTurned[3][3] = {{1, 2, 3}, {2, 3, 1}, {3, 1, 2}};
+  const std::uint32_t low = std::min(std::min(t[0], t[1]), std::min(t[2], t[3]));
+  const auto& even = kEven[(t[1] == low ? 1 : 0) + (t[2] == low ? 2 : 0) + (t[3] == low ? 3 : 0)];
+  const std::array<std::uint32_t, 4> r{low, t[even[1]], t[even[2]], t[even[3]]};
+  const std::uint32_t next = std::min(std::min(r[1], r[2]), r[3]);
+  const auto& turned = kTurned[(r[2] == next ? 1 : 0) + (r[3] == next ? 2 : 0)];
+  return {low, next, r[turned[1]], r[turned[2]]};
 }
 
 Vec3 unit_normal(const LatticeVector& n) {

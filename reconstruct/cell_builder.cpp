@@ -40,7 +40,7 @@ class CellBuilder {
   BuiltCell cell_;
   std::vector<std::vector<std::uint32_t>> numbers_;  ///< by face: its vertices in the cell
   std::vector<std::uint32_t> triangle_base_;         ///< by face: number of its first triangle in the cell
-  std::uint32_t grounded_ = 0;                ///< hull facets on faces
+  std::uint32_t grounded_ = 0;                       ///< hull facets on faces
 };
 
 /// Puts vertices into the order of their final numbers; samples came last.
@@ -89,7 +89,8 @@ GroundedTable CellBuilder::fill_table() const {
   GroundedTable table(cell_.vertices.size(), triangle_base_.back());
   for (std::size_t f = 0; f < faces_.size(); ++f) {
     const std::vector<std::uint32_t>& number = numbers_[f];
-    for (const auto& v : faces_[f].triangulation->triangles) table.add({number[v[0]], number[v[1]], number[v[2]]});
+    for (const auto& v : faces_[f].triangulation->triangles)
+      table.add({number[v[0]], number[v[1]], number[v[2]]});
   }
   return table;
 }
@@ -125,7 +126,9 @@ bool CellBuilder::classify_facet(std::uint32_t t, std::size_t i, const GroundedT
     EdgeKind& kind = complex.edges[t][corner - 4];
     if (kind != EdgeKind::free) continue;  // known from the hull facet on its other side
     const std::uint32_t opposite = v[s[(k + 2) % 3]];
-    const std::size_t side = numbers_[f][corners[0]] == opposite ? 0 : numbers_[f][corners[1]] == opposite ? 1 : 2;
+    const std::size_t side = numbers_[f][corners[0]] == opposite   ? 0
+                             : numbers_[f][corners[1]] == opposite ? 1
+                                                                   : 2;
     kind = face.edges[face.sides[triangle][side]].kind;
     visit_around_edge(complex.mesh, t, corner,
                       [&, kind](std::uint32_t n, unsigned at) { complex.edges[n][at - 4] = kind; });

@@ -28,8 +28,8 @@ struct FaceTriangulation {
   std::vector<std::array<std::uint32_t, 3>> triangles;  ///< local, counter-clockwise from the positive side
   std::vector<std::uint8_t> internal;                   ///< by triangle: 1 inside the section
   std::vector<FaceEdge> edges;  ///< of the triangles; those on lines get their kind from LineEdges
-  std::vector<std::array<std::uint32_t, 3>> sides;  ///< by triangle: its edges, each opposite to a vertex
-  std::vector<Wall> walls;      ///< contour pieces inside the face, local ends
+  std::vector<std::array<std::uint32_t, 3>> sides;   ///< by triangle: its edges, each opposite to a vertex
+  std::vector<Wall> walls;                           ///< contour pieces inside the face, local ends
   std::array<std::vector<std::uint8_t>, 2> covered;  ///< by triangle: 1 if a kept tetrahedron of the cell on
                                                      ///< the negative / positive side stands on it
 

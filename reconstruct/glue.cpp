@@ -154,7 +154,8 @@ void for_boundary(Tets tets, const std::vector<std::uint32_t>& partner, Visit vi
     if (partner[f] == kNone) visit(f, rotated(outward(tets, f)));
 }
 
-/// The boundary's triangles, sorted: by their first vertex in linear time, then the few that have the same one.
+/// The boundary's triangles, sorted: by their first vertex in linear time, then the few that have the same
+/// one.
 void collect_boundary(Tets tets, std::vector<std::uint32_t>& partner, PairedBoundary& boundary) {
   std::vector<std::uint32_t> begin;  // by first vertex
   for_boundary(tets, partner, [&](std::uint32_t, const Triple& t) {
@@ -167,8 +168,9 @@ void collect_boundary(Tets tets, std::vector<std::uint32_t>& partner, PairedBoun
     bool operator<(const Entry& o) const { return second != o.second ? second < o.second : third < o.third; }
   };
   std::vector<Entry> found(begin.empty() ? 0 : begin.back());
-  for_boundary(tets, partner,
-               [&](std::uint32_t f, const Triple& t) { found[begin[t[0]]++] = {t[1], t[2], f}; });
+  for_boundary(tets, partner, [&](std::uint32_t f, const Triple& t) {
+    found[begin[t[0]]++] = {t[1], t[2], f};
+  });
   // Now begin[v] is where those of v end.
   boundary.triangles.reserve(found.size());
   boundary.facets.reserve(found.size());
@@ -182,8 +184,8 @@ void collect_boundary(Tets tets, std::vector<std::uint32_t>& partner, PairedBoun
   }
 }
 
-/// The boundary triangle at the other end of the solid wedge at an edge of a facet, the one without the vertex
-/// `stays`: from facet to facet around the edge, through the tetrahedra between them.
+/// The boundary triangle at the other end of the solid wedge at an edge of a facet, the one without the
+/// vertex `stays`: from facet to facet around the edge, through the tetrahedra between them.
 std::uint32_t across_wedge(Tets tets, const std::vector<std::uint32_t>& partner, std::uint32_t facet,
                            std::uint32_t stays) {
   for (;;) {

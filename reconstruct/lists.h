@@ -30,8 +30,8 @@ struct Lists {
   }
 };
 
-/// Sorts by the first vertex in linear time, then within the few that have the same one. first_vertex(item) is
-/// what items are compared by first.
+/// Sorts by the first vertex in linear time, then within the few that have the same one. first_vertex(item)
+/// is what items are compared by first.
 template <class Item, class FirstVertex>
 void sort_by_vertex(std::vector<Item>& items, FirstVertex first_vertex) {
   std::uint32_t count = 0;

@@ -45,8 +45,8 @@ class SurfacePieces {
 
   std::vector<Piece> take() { return std::move(pieces_); }
 
-  /// The facets of a boundary that has been cut apart to this surface, by number; those with midpoints are left
-  /// out.
+  /// The facets of a boundary that has been cut apart to this surface, by number; those with midpoints are
+  /// left out.
   std::vector<PieceFacet> facets(const PairedBoundary& boundary) {
     std::vector<PieceFacet> list;
     std::size_t next = 0;
@@ -108,9 +108,8 @@ void sort_vertices(Triangle& facet) { std::sort(facet.begin(), facet.end()); }
 /// them.
 void tell_pieces(std::uint32_t cell, const TetName& tet, std::span<PieceFacet> facets,
                  std::vector<Piece>& pieces) {
-  std::sort(facets.begin(), facets.end(), [&](const PieceFacet& x, const PieceFacet& y) {
-    return tet[x.number % 4] < tet[y.number % 4];
-  });
+  std::sort(facets.begin(), facets.end(),
+            [&](const PieceFacet& x, const PieceFacet& y) { return tet[x.number % 4] < tet[y.number % 4]; });
   TetName name = tet;
   std::sort(name.begin(), name.end());
   for (PieceFacet& facet : facets) {
@@ -121,7 +120,8 @@ void tell_pieces(std::uint32_t cell, const TetName& tet, std::span<PieceFacet> f
   }
 }
 
-/// The solid has the tetrahedra of the cells and their bridges, cell by cell; cells don't know of their bridges.
+/// The solid has the tetrahedra of the cells and their bridges, cell by cell; cells don't know of their
+/// bridges.
 void find_cells(std::span<const CellState> cells, std::vector<PieceFacet>& facets,
                 std::vector<Piece>& pieces) {
   std::size_t begin = 0, next = 0;  // tetrahedron of the solid, facet

@@ -1,6 +1,6 @@
 // Minimum cuts against all subsets, against Boost's Boykov-Kolmogorov, and against their own certificate.
-#include "prune/cut_reduction.h"
 #include "prune/min_cut.h"
+#include "prune/cut_reduction.h"
 
 #include <doctest/doctest.h>
 

@@ -22,7 +22,10 @@ struct CellCase {
   CellBridges bridges;
 
   CellCase(const BuiltCell& of, std::vector<std::uint8_t> keep, std::span<const LatticePoint> at)
-      : cell(of), kept(std::move(keep)), points(at), bridges(find_bridges(cell, Ground(cell.complex), kept, points)) {}
+      : cell(of),
+        kept(std::move(keep)),
+        points(at),
+        bridges(find_bridges(cell, Ground(cell.complex), kept, points)) {}
 
   const LatticePoint& point(std::uint32_t v) const {
     return v < kFirstBridgePoint ? points[v] : bridges.points[v - kFirstBridgePoint];
