@@ -36,14 +36,26 @@ std::vector<GroundTriangle> ground_under(const BuiltCell& cell, const std::vecto
   return list;
 }
 
+/// New lists of the cell's part of the solid, no longer than they need: together they are much of the memory.
+void renew_lists(const BuiltCell& cell, const std::vector<std::uint8_t>& kept, CellState& state) {
+  std::size_t tets = 0, feet = 0;
+  for (std::uint32_t t = 0; t < kept.size(); ++t) {
+    if (kept[t] == 0) continue;
+    ++tets;
+    for (const GroundTriangle& ground : cell.ground[t]) feet += ground.face != kNone;
+  }
+  state.tets = {}, state.partners = {}, state.ground = {}, state.feet = {};
+  state.tets.reserve(tets);
+  state.partners.reserve(tets);
+  state.ground.reserve(feet);
+  state.feet.reserve(feet);
+}
+
 /// The cell's part of the solid into its lists.
 void take_kept(const BuiltCell& cell, const std::vector<std::uint8_t>& kept, CellState& state) {
   const TetMesh& mesh = cell.complex.mesh;
   std::vector<std::uint32_t> position(kept.size(), kNone);
-  state.tets.clear();
-  state.partners.clear();
-  state.ground.clear();
-  state.feet.clear();
+  renew_lists(cell, kept, state);
   for (std::uint32_t t = 0; t < kept.size(); ++t) {
     if (kept[t] == 0) continue;
     const auto at = position[t] = static_cast<std::uint32_t>(state.tets.size());
@@ -276,10 +288,11 @@ Result<Done> Pipeline::fill_cells() {
     if (auto done = add_samples(); !done) return done;
     if (auto done = prune_due_cells(); !done) return done;
   }
+  for (CellState& cell : cells_) cell.triangulation.reset();
+  drop_what_samples_need();
   build_bridges();
   if (options_.mode == PruneMode::natural)
     if (auto done = look_again(); !done) return done;
-  for (CellState& cell : cells_) cell.triangulation.reset();
   cover_finally();
   if (options_.thicken > 0)
     if (auto done = thicken(); !done) return done;
