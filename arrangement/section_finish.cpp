@@ -113,7 +113,10 @@ void renumber(SectionGraph& graph, const std::vector<bool>& kept) {
   }
   std::vector<std::uint32_t> number(graph.size(), kNone), rows;
   std::vector<LatticePoint> points;
-  for (const Ordered& vertex : in_order(graph, used)) {
+  const std::vector<Ordered> ordered = in_order(graph, used);
+  points.reserve(ordered.size());
+  rows.reserve(ordered.size());
+  for (const Ordered& vertex : ordered) {
     const LatticePoint& point = graph.points[vertex.number];
     if (points.empty() || !equal(points.back(), point)) {
       points.push_back(point);

@@ -3,6 +3,7 @@
 #include <exception>
 
 #include "commands.h"
+#include "heap.h"
 #include "terminal.h"
 
 namespace {
@@ -50,6 +51,7 @@ ExitCode run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  prepare_heap();
   catch_interrupts();
   try {
     const ExitCode code = run(argc, argv);

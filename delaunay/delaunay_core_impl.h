@@ -183,13 +183,13 @@ void DelaunayCore<D, P>::finite(std::vector<Simplex<D>>& vertices,
                                 std::vector<Simplex<D>>& neighbours) const {
   const auto& cells = growing_.cells;
   std::vector<std::uint32_t> number(cells.size(), kNone);
-  vertices.reserve(cells.size());
-  for (std::uint32_t cell = 0; cell < cells.size(); ++cell) {
-    if (cells.is_free(cell) || cells.is_ghost(cell)) continue;
-    number[cell] = static_cast<std::uint32_t>(vertices.size());
-    vertices.push_back(cells.vertices(cell));
-  }
-  neighbours.reserve(vertices.size());
+  std::uint32_t count = 0;
+  for (std::uint32_t cell = 0; cell < cells.size(); ++cell)
+    if (!cells.is_free(cell) && !cells.is_ghost(cell)) number[cell] = count++;
+  vertices.reserve(count);
+  neighbours.reserve(count);
+  for (std::uint32_t cell = 0; cell < cells.size(); ++cell)
+    if (number[cell] != kNone) vertices.push_back(cells.vertices(cell));
   for (std::uint32_t cell = 0; cell < cells.size(); ++cell) {
     if (number[cell] == kNone) continue;
     auto& n = neighbours.emplace_back();

@@ -35,6 +35,8 @@ Solid assemble_solid(std::vector<std::array<std::uint32_t, 4>>& tets, const Numb
   for (const auto& t : tets)
     for (const std::uint32_t v : t) number[v] = 0;
   Solid solid;
+  solid.points.reserve(static_cast<std::size_t>(std::count(number.begin(), number.end(), 0u)));
+  solid.tets.reserve(tets.size());
   for (std::size_t v = 0; v < number.size(); ++v) {
     if (number[v] == kNone) continue;
     number[v] = static_cast<std::uint32_t>(solid.points.size());
@@ -56,42 +58,63 @@ Surface assemble_surface(const GluedSurface& glued, const Numbering& numbering, 
   return surface;
 }
 
+namespace {
+
+/// A contour edge of the result by the numbers of its ends, the smaller first.
+struct Piece {
+  std::uint32_t a, b, contour;
+};
+
+/// What is left of the contours of one plane: pieces within faces, and walls on lines.
+std::vector<Piece> pieces_of_plane(std::uint32_t p, const SectionGraph& graph, std::span<const FaceTriangulation> faces,
+                                   std::span<const std::uint32_t> of_plane, const Numbering& numbering) {
+  std::vector<Piece> pieces;
+  const auto add = [&](std::uint32_t a, std::uint32_t b, const Wall& w) {
+    pieces.push_back({std::min(a, b), std::max(a, b), w.contour});
+  };
+  pieces.reserve(graph.walls[p].size() + graph.walls[p].size() / 8);
+  for (const std::uint32_t f : of_plane)
+    for (const Wall& w : faces[f].walls) add(numbering.of_face[f][w.a], numbering.of_face[f][w.b], w);
+  for (std::size_t i = 0; i < graph.walls[p].size(); ++i)
+    if (const Wall& w = graph.walls[p][i]; graph.wall_locations[p][i].dimension == 1)
+      add(numbering.of_graph[w.a], numbering.of_graph[w.b], w);
+  std::sort(pieces.begin(), pieces.end(),
+            [](const Piece& x, const Piece& y) { return x.a != y.a ? x.a < y.a : x.b < y.b; });
+  return pieces;
+}
+
+/// REQUIRES: pieces sorted.
+void fill_section(PlaneSection& plane, const std::vector<Piece>& pieces, const Numbering& numbering,
+                  const WorldGrid& grid) {
+  std::vector<std::uint32_t> used;
+  used.reserve(2 * pieces.size());
+  for (const Piece& piece : pieces) used.insert(used.end(), {piece.a, piece.b});
+  std::sort(used.begin(), used.end());
+  used.erase(std::unique(used.begin(), used.end()), used.end());
+  plane.vertices.reserve(used.size());
+  for (const std::uint32_t v : used) plane.vertices.push_back(grid.from_lattice(numbering.points[v]));
+  const auto local = [&](std::uint32_t v) {
+    return static_cast<std::uint32_t>(std::lower_bound(used.begin(), used.end(), v) - used.begin());
+  };
+  plane.edges.reserve(pieces.size());
+  for (const Piece& piece : pieces)
+    plane.edges.push_back({local(piece.a), local(piece.b), 1, 0, piece.contour, 0});
+}
+
+}  // namespace
+
 Sections assemble_sections(const FramedSections& framed, const SectionGraph& graph,
                            std::span<const FaceTriangulation> faces, const Numbering& numbering) {
-  struct Piece {
-    std::uint32_t a, b;
-    const Wall* wall;
-  };
-  std::vector<std::vector<Piece>> pieces(graph.planes.size());
-  for (std::size_t f = 0; f < faces.size(); ++f)
-    for (const Wall& w : faces[f].walls)
-      pieces[faces[f].plane].push_back({numbering.of_face[f][w.a], numbering.of_face[f][w.b], &w});
-  for (std::size_t p = 0; p < graph.planes.size(); ++p)
-    for (std::size_t i = 0; i < graph.walls[p].size(); ++i)
-      if (const Wall& w = graph.walls[p][i]; graph.wall_locations[p][i].dimension == 1)
-        pieces[p].push_back({numbering.of_graph[w.a], numbering.of_graph[w.b], &w});
+  std::vector<std::vector<std::uint32_t>> of_plane(graph.planes.size());
+  for (std::uint32_t f = 0; f < faces.size(); ++f)
+    if (!faces[f].walls.empty()) of_plane[faces[f].plane].push_back(f);
   Sections sections;
-  for (std::size_t p = 0; p < graph.planes.size(); ++p) {
-    PlaneSection plane;
+  sections.planes.reserve(graph.planes.size());
+  for (std::uint32_t p = 0; p < graph.planes.size(); ++p) {
+    PlaneSection& plane = sections.planes.emplace_back();
     plane.normal = unit_normal(graph.planes[p].normal);
     plane.offset = -dot(plane.normal, framed.grid.from_lattice(make_point(graph.planes[p].origin)));
-    std::vector<std::uint32_t> used;
-    for (Piece& piece : pieces[p]) {
-      if (piece.a > piece.b) std::swap(piece.a, piece.b);
-      used.insert(used.end(), {piece.a, piece.b});
-    }
-    std::sort(used.begin(), used.end());
-    used.erase(std::unique(used.begin(), used.end()), used.end());
-    for (const std::uint32_t v : used)
-      plane.vertices.push_back(framed.grid.from_lattice(numbering.points[v]));
-    std::sort(pieces[p].begin(), pieces[p].end(),
-              [](const Piece& x, const Piece& y) { return x.a != y.a ? x.a < y.a : x.b < y.b; });
-    const auto local = [&](std::uint32_t v) {
-      return static_cast<std::uint32_t>(std::lower_bound(used.begin(), used.end(), v) - used.begin());
-    };
-    for (const Piece& piece : pieces[p])
-      plane.edges.push_back({local(piece.a), local(piece.b), 1, 0, piece.wall->contour, 0});
-    sections.planes.push_back(std::move(plane));
+    fill_section(plane, pieces_of_plane(p, graph, faces, of_plane[p], numbering), numbering, framed.grid);
   }
   return sections;
 }

@@ -40,16 +40,22 @@ std::vector<GroundTriangle> ground_under(const BuiltCell& cell, const std::vecto
   return list;
 }
 
+/// New lists of the cell's part of the solid, no longer than they need: together they are much of the memory.
+void renew_lists(const BuiltCell& cell, const std::vector<std::uint8_t>& kept, CellState& state) {
+  const auto tets = static_cast<std::size_t>(std::count(kept.begin(), kept.end(), std::uint8_t{1}));
+  state.tets = {}, state.partners = {}, state.feet = {};
+  state.tets.resize(tets);
+  state.partners.resize(tets, {kNone, kNone, kNone, kNone});
+  state.ground = ground_under(cell, kept);
+  state.ground.shrink_to_fit();
+  state.feet.reserve(state.ground.size());
+}
+
 /// The cell's part of the solid into its lists.
 void take_kept(const BuiltCell& cell, const std::vector<std::uint8_t>& kept, CellState& state) {
   const TetMesh& mesh = cell.complex.mesh;
   std::vector<std::uint32_t> position(kept.size(), kNone);
-  const auto count = static_cast<std::size_t>(std::count(kept.begin(), kept.end(), std::uint8_t{1}));
-  state.tets.resize(count);
-  state.partners.assign(count, {kNone, kNone, kNone, kNone});
-  state.ground = ground_under(cell, kept);
-  state.feet.clear();
-  state.feet.reserve(state.ground.size());
+  renew_lists(cell, kept, state);
   std::uint32_t next = 0;
   for (std::uint32_t t = 0; t < kept.size(); ++t) {
     if (kept[t] == 0) continue;
@@ -292,10 +298,11 @@ Result<Done> Pipeline::fill_cells() {
     if (auto done = add_samples(); !done) return done;
     if (auto done = prune_due_cells(); !done) return done;
   }
+  for (CellState& cell : cells_) cell.triangulation.reset();
+  drop_what_samples_need();
   build_bridges();
   if (options_.mode == PruneMode::natural)
     if (auto done = look_again(); !done) return done;
-  for (CellState& cell : cells_) cell.triangulation.reset();
   cover_finally();
   if (options_.thicken > 0)
     if (auto done = thicken(); !done) return done;

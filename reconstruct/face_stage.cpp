@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "../geom/free_memory.h"
 #include "assemble.h"
 #include "pipeline.h"
 
@@ -74,6 +75,27 @@ void Pipeline::classify_lines() {
   }
 }
 
+/// No more samples will come: what they would have needed goes, since with many vertices the peak of memory is still
+/// to come.
+void Pipeline::drop_what_samples_need() {
+  inputs_ = {};
+  locators_.reset();
+  if (!field_) graph_.points = {};
+}
+
+/// Nothing is pruned again: so does what the cells needed.
+void Pipeline::drop_what_cells_need() {
+  for (FaceTriangulation& face : faces_) face.edges = {};
+  for (CellState& cell : cells_) {
+    cell.triangulation.reset();
+    if (glued_) cell.partners = {};
+  }
+  line_edges_.reset();
+  graph_.points = {};
+  graph_.locations = {};
+  release_free_memory();
+}
+
 /// Faces are final, and the sections are what they say.
 void Pipeline::finish_faces() {
   for (const FaceTriangulation& face : faces_) {
@@ -84,6 +106,7 @@ void Pipeline::finish_faces() {
   if (observer_)
     for (const FaceTriangulation& face : faces_)
       if (face.face.valid()) observer_->on_face(face, numbering_);
+  drop_what_cells_need();
   result_.sections = assemble_sections(framed_, graph_, faces_, numbering_);
   result_.report.seconds.faces += watch_.lap();
 }

@@ -114,6 +114,8 @@ class Pipeline {
   Result<Done> refine_faces(std::span<const std::vector<LatticePoint>> samples);
   void classify_lines();
   void finish_faces();
+  void drop_what_samples_need();
+  void drop_what_cells_need();
 
   std::vector<FaceId> inner_faces(CellId id) const;
   std::vector<CellFace> cell_faces(CellId id, std::span<const FaceId> ids) const;
