@@ -19,6 +19,25 @@ std::array<std::uint32_t, 4> canonical(std::array<std::uint32_t, 4> t) {
   return t;
 }
 
+/// In place: each to the others of its first vertex, these by the rest. There are some twenty of one first vertex, so that
+/// this takes a fraction of what comparing all would.
+void sort_tets(std::vector<std::array<std::uint32_t, 4>>& tets, std::size_t vertices) {
+  std::vector<std::uint32_t> begin(vertices + 1, 0);
+  for (const auto& t : tets) ++begin[t[0] + std::size_t{1}];
+  for (std::size_t v = 0; v < vertices; ++v) begin[v + 1] += begin[v];
+  std::vector<std::uint32_t> next(begin.begin(), begin.end() - 1);
+  for (std::uint32_t v = 0; v < vertices; ++v) {
+    while (next[v] != begin[v + std::size_t{1}]) {
+      auto& t = tets[next[v]];
+      if (t[0] == v)
+        ++next[v];
+      else
+        std::swap(t, tets[next[t[0]]++]);
+    }
+    std::sort(tets.begin() + begin[v], tets.begin() + begin[v + std::size_t{1}]);
+  }
+}
+
 Vec3 unit_normal(const LatticeVector& n) {
   const Vec3 v{static_cast<double>(n[0]), static_cast<double>(n[1]), static_cast<double>(n[2])};
   return (1 / norm(v)) * v;
@@ -29,7 +48,7 @@ Vec3 unit_normal(const LatticeVector& n) {
 Solid assemble_solid(std::vector<std::array<std::uint32_t, 4>>& tets, const Numbering& numbering,
                      const WorldGrid& grid) {
   for (auto& t : tets) t = canonical(t);
-  std::sort(tets.begin(), tets.end());
+  sort_tets(tets, numbering.points.size());
   std::vector<std::uint32_t> number(numbering.points.size(), kNone);
   for (const auto& t : tets)
     for (const std::uint32_t v : t) number[v] = 0;

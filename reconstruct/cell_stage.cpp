@@ -210,14 +210,17 @@ bool Pipeline::is_near_branching(std::span<const FaceId> ids) const {
 Result<Done> Pipeline::find_branching_cells() {
   const BranchingOptions& wanted = options_.branching;
   if (wanted.mode == Branching::off && !wanted.cutting) return Done{};
+  std::vector<std::uint32_t> components(faces_.size());
+  const auto count = [&](std::size_t f) { components[f] = section_components(faces_[f]); };
+  if (!parallel_for(faces_.size(), context_, "branching", count)) return cancelled();
   return for_all(cells_.size(), "branching", [&](std::size_t c) -> Result<Done> {
     const CellId id{static_cast<std::uint32_t>(c)};
     const std::vector<FaceId> ids = inner_faces(id);
-    const std::vector<CellFace> faces = cell_faces(id, ids);
     std::uint32_t most = 0;
-    for (const CellFace& face : faces) most += section_components(*face.triangulation);
+    for (const FaceId f : ids) most += components[f.value];
+    if (most <= wanted.most_without_samples()) return Done{};
+    const std::vector<CellFace> faces = cell_faces(id, ids);
     cells_[c].may_branch =
-        most > wanted.most_without_samples() &&
         BranchingCell(graph_, *arrangement_, *locators_, ids, faces, numbering_.points, wanted).may_branch();
     return Done{};
   });
