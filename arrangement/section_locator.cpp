@@ -40,7 +40,7 @@ void SectionLocator::measure() {
   for (const WallEnds& w : walls_) {
     ordered_.push_back(compare_level(points_[w.a], points_[w.b]) < 0 ? w : WallEnds{w.b, w.a});
     const LatticePoint &p = points_[ordered_.back().a], &q = points_[ordered_.back().b];
-    const auto [left, right] = std::minmax(p[first_], q[first_]);
+    const auto [left, right] = std::minmax({p[first_], q[first_]});
     boxes_.push_back({p[second_], q[second_], left, right});
   }
 }
