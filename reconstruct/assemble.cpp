@@ -19,8 +19,8 @@ std::array<std::uint32_t, 4> canonical(std::array<std::uint32_t, 4> t) {
   return t;
 }
 
-/// In place: each to the others of its first vertex, these by the rest. There are some twenty of one first vertex, so that
-/// this takes a fraction of what comparing all would.
+/// In place: each to the others of its first vertex, these by the rest. There are some twenty of one first
+/// vertex, so that this takes a fraction of what comparing all would.
 void sort_tets(std::vector<std::array<std::uint32_t, 4>>& tets, std::size_t vertices) {
   std::vector<std::uint32_t> begin(vertices + 1, 0);
   for (const auto& t : tets) ++begin[t[0] + std::size_t{1}];
@@ -83,7 +83,8 @@ struct Piece {
 };
 
 /// What is left of the contours of one plane: pieces within faces, and walls on lines.
-std::vector<Piece> pieces_of_plane(std::uint32_t p, const SectionGraph& graph, std::span<const FaceTriangulation> faces,
+std::vector<Piece> pieces_of_plane(std::uint32_t p, const SectionGraph& graph,
+                                   std::span<const FaceTriangulation> faces,
                                    std::span<const std::uint32_t> of_plane, const Numbering& numbering) {
   std::vector<Piece> pieces;
   const auto add = [&](std::uint32_t a, std::uint32_t b, const Wall& w) {

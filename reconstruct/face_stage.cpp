@@ -75,8 +75,8 @@ void Pipeline::classify_lines() {
   }
 }
 
-/// No more samples will come: what they would have needed goes, since with many vertices the peak of memory is still
-/// to come.
+/// No more samples will come: what they would have needed goes, since with many vertices the peak of memory
+/// is still to come.
 void Pipeline::drop_what_samples_need() {
   inputs_ = {};
   locators_.reset();

@@ -50,7 +50,8 @@ class PlacesInFaces {
 };
 
 /// The section vertices of every face. They come ascending, so the lists are too.
-void collect_vertices(const SectionGraph& graph, const Arrangement& arrangement, std::vector<FaceInput>& inputs) {
+void collect_vertices(const SectionGraph& graph, const Arrangement& arrangement,
+                      std::vector<FaceInput>& inputs) {
   std::vector<std::uint32_t> count(inputs.size(), 0);
   for (const Location at : graph.locations)
     for_each_face(arrangement, at, [&](FaceId f) { ++count[f.value]; });
@@ -86,7 +87,8 @@ std::vector<FaceInput> face_inputs(const SectionGraph& graph, const Arrangement&
       if (at.dimension == 2) inputs[at.index].walls.push_back(places.local(wall, at.index));
       if (at.dimension == 1)
         for (const FaceId f : arrangement.faces_around(ArrEdgeId{at.index}))
-          if (arrangement.plane_of(f).value == p) inputs[f.value].border.push_back(places.local(wall, f.value));
+          if (arrangement.plane_of(f).value == p)
+            inputs[f.value].border.push_back(places.local(wall, f.value));
     }
   return inputs;
 }
@@ -169,7 +171,8 @@ class FaceBuilder {
   FaceTriangulation result_;
   TriMesh mesh_;
   WallTable table_;
-  std::vector<std::array<std::uint32_t, 3>> wall_at_;  ///< by triangle: wall of the table on the side opposite each vertex
+  std::vector<std::array<std::uint32_t, 3>>
+      wall_at_;  ///< by triangle: wall of the table on the side opposite each vertex
 };
 
 Result<Done> FaceBuilder::conform_to_walls(Delaunay2<LatticePredicates2>& tri) {
@@ -245,7 +248,8 @@ Result<Done> FaceBuilder::label() {
       const std::uint32_t t = stack.back();
       stack.pop_back();
       for (std::uint32_t i = 0; i < 3; ++i)
-        if (const std::uint32_t n = mesh_.neighbours[t][i]; n != kNone && wall_at_[t][i] == WallTable::kNoWall)
+        if (const std::uint32_t n = mesh_.neighbours[t][i];
+            n != kNone && wall_at_[t][i] == WallTable::kNoWall)
           mark(n, result_.internal[t] != 0);
     }
   };
@@ -264,7 +268,8 @@ Result<Done> FaceBuilder::label() {
 }
 
 void FaceBuilder::collect_edges() {
-  result_.edges.reserve(points_.size() + mesh_.size());  // Euler: one less, but for points that are none of its vertices
+  result_.edges.reserve(points_.size() +
+                        mesh_.size());  // Euler: one less, but for points that are none of its vertices
   for (std::uint32_t t = 0; t < mesh_.size(); ++t)
     for (std::uint32_t i = 0; i < 3; ++i) {
       if (const std::uint32_t n = mesh_.neighbours[t][i]; n != kNone && n < t) continue;
