@@ -94,7 +94,8 @@ LatticeVector centre_of(const Group& group) {
   const Candidate& first = first_of(group);
   if (first.points.empty()) {
     const Vec3 foot = first.plane.offset * first.plane.normal;
-    return {static_cast<std::int64_t>(foot.x), static_cast<std::int64_t>(foot.y), static_cast<std::int64_t>(foot.z)};
+    return {static_cast<std::int64_t>(foot.x), static_cast<std::int64_t>(foot.y),
+            static_cast<std::int64_t>(foot.z)};
   }
   LatticeVector low = first.points[0], high = low, centre{};
   for (const Candidate* c : group)
@@ -235,8 +236,7 @@ std::vector<Framing> sort_and_join(std::vector<LatticePlane> planes, Groups grou
     else
       joined.push_back(std::move(f));
   // The origin of a joined plane must not depend on which came first.
-  for (Framing& f : joined)
-    f.plane = plane_through(f.plane.normal, f.plane.origin, centre_of(f.members));
+  for (Framing& f : joined) f.plane = plane_through(f.plane.normal, f.plane.origin, centre_of(f.members));
   return joined;
 }
 

@@ -71,7 +71,8 @@ std::vector<std::uint32_t> distinct_vertices(const std::vector<Vec3>& all, std::
   };
   std::vector<Numbered> sorted;
   sorted.reserve(all.size());
-  for (const Vec3& v : all) sorted.push_back({v + Vec3{}, static_cast<std::uint32_t>(sorted.size())});  // -0 is 0
+  for (const Vec3& v : all)
+    sorted.push_back({v + Vec3{}, static_cast<std::uint32_t>(sorted.size())});  // -0 is 0
   std::sort(sorted.begin(), sorted.end(), [](const Numbered& v, const Numbered& w) { return v.at < w.at; });
   std::vector<std::uint32_t> index(all.size());
   distinct.reserve(all.size());
@@ -170,8 +171,8 @@ Result<Done> check_distances(const Sections& in, WallSection& s, double toleranc
 /// Some walls of a section, those of one contour.
 using Contour = std::span<const WallEdge* const>;
 
-/// What most contours are at first sight: three vertices of it are far from one line. Points within `width` of a line
-/// span triangles of less than 8 width diagonal, and roundings are far below the room that is left.
+/// What most contours are at first sight: three vertices of it are far from one line. Points within `width`
+/// of a line span triangles of less than 8 width diagonal, and roundings are far below the room that is left.
 bool is_surely_wide(const WallSection& s, Contour contour, double width, double diagonal) {
   const Vec3 a = s.vertices[contour[0]->a], b = s.vertices[contour[contour.size() / 3]->a],
              c = s.vertices[contour[contour.size() / 3 * 2]->a];
@@ -219,10 +220,12 @@ void drop_flat_contours(WallSection& s, double width, double diagonal) {
     if (has_no_area(s, {walls.data() + i, next - i}, width, diagonal)) flat.push_back(walls[i]->contour);
   }
   if (flat.empty()) return;
-  std::erase_if(s.walls, [&](const WallEdge& w) { return std::binary_search(flat.begin(), flat.end(), w.contour); });
+  std::erase_if(s.walls,
+                [&](const WallEdge& w) { return std::binary_search(flat.begin(), flat.end(), w.contour); });
 }
 
-void warn_of_dropped(const std::vector<std::uint32_t>& before, const WallSection& s, std::vector<std::string>& warnings) {
+void warn_of_dropped(const std::vector<std::uint32_t>& before, const WallSection& s,
+                     std::vector<std::string>& warnings) {
   const std::vector<std::uint32_t> after = contours_of(s.walls);
   for (const std::uint32_t c : before)
     if (!std::binary_search(after.begin(), after.end(), c))

@@ -31,7 +31,8 @@ struct NormalisedSections {
 
 /// Checks the input and reduces it to walls, as frame_sections() says; see there for the errors.
 /// O(v log v) for v vertices and edges; planes on several threads. Error cancelled.
-Result<NormalisedSections> normalise(const Sections& sections, double plane_tolerance, const Context& context = {});
+Result<NormalisedSections> normalise(const Sections& sections, double plane_tolerance,
+                                     const Context& context = {});
 
 /// The contours that have a wall, ascending.
 std::vector<std::uint32_t> contours_of(const std::vector<WallEdge>& walls);

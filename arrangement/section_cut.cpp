@@ -19,7 +19,8 @@ struct Cut {
 
 class Cutter {
  public:
-  Cutter(SectionGraph& graph, LatticePointStore& store, double snap) : graph_(graph), store_(store), snap_(snap) {}
+  Cutter(SectionGraph& graph, LatticePointStore& store, double snap)
+      : graph_(graph), store_(store), snap_(snap) {}
 
   /// The wall from its lexicographically lower end.
   Wall forward(Wall wall) const {
@@ -33,7 +34,8 @@ class Cutter {
   std::uint32_t crossing(std::uint32_t i, std::uint32_t a, std::uint32_t b, const std::vector<Cut>& cuts);
   std::optional<std::uint32_t> corner_near(std::uint32_t i, std::uint32_t a, std::uint32_t b,
                                            const std::vector<Cut>& cuts);
-  std::optional<std::uint32_t> corner(std::uint32_t i, std::uint32_t j, std::uint32_t q, Vec3 target, double reach);
+  std::optional<std::uint32_t> corner(std::uint32_t i, std::uint32_t j, std::uint32_t q, Vec3 target,
+                                      double reach);
   std::optional<std::uint32_t> on_line(std::uint32_t i, std::uint32_t j, std::uint32_t a, std::uint32_t b,
                                        Vec3 target, std::uint32_t& offender);
   std::uint32_t offender(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t j) const;
@@ -52,7 +54,8 @@ Vec3 Cutter::between(std::uint32_t a, std::uint32_t b, double at) const {
 /// All planes with a strictly on one side and b strictly on the other, nearest to a first.
 std::vector<Cut> Cutter::cuts(std::uint32_t a, std::uint32_t b) const {
   std::vector<Cut> found;
-  const auto pa = graph_.positive_of(a), pb = graph_.positive_of(b), za = graph_.zero_of(a), zb = graph_.zero_of(b);
+  const auto pa = graph_.positive_of(a), pb = graph_.positive_of(b), za = graph_.zero_of(a),
+             zb = graph_.zero_of(b);
   for (std::uint32_t w = 0; w < graph_.rows.words(); ++w)
     for (std::uint64_t bits = (pa[w] ^ pb[w]) & ~za[w] & ~zb[w]; bits != 0; bits &= bits - 1) {
       const std::uint32_t p = w * 64 + static_cast<std::uint32_t>(std::countr_zero(bits));
@@ -64,8 +67,9 @@ std::vector<Cut> Cutter::cuts(std::uint32_t a, std::uint32_t b) const {
   return found;
 }
 
-/// A plane other than j against which the new vertex c has not the sign that the open segment ab has near it: that
-/// of both ends where they agree, of the other where one is 0, of a where they differ (c is the cut nearest to a).
+/// A plane other than j against which the new vertex c has not the sign that the open segment ab has near it:
+/// that of both ends where they agree, of the other where one is 0, of a where they differ (c is the cut
+/// nearest to a).
 std::uint32_t Cutter::offender(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t j) const {
   const auto pa = graph_.positive_of(a), pb = graph_.positive_of(b), pc = graph_.positive_of(c);
   const auto za = graph_.zero_of(a), zb = graph_.zero_of(b), zc = graph_.zero_of(c);
@@ -76,7 +80,8 @@ std::uint32_t Cutter::offender(std::uint32_t a, std::uint32_t b, std::uint32_t c
     for (; wrong != 0; wrong &= wrong - 1) {
       const std::uint32_t q = w * 64 + static_cast<std::uint32_t>(std::countr_zero(wrong));
       // A plane of the same pencil contains the whole line: it changes sign where j does.
-      if (q < graph_.planes.size() && !(graph_.sign(c, q) == 0 && graph_.sign(a, q) * graph_.sign(b, q) < 0)) return q;
+      if (q < graph_.planes.size() && !(graph_.sign(c, q) == 0 && graph_.sign(a, q) * graph_.sign(b, q) < 0))
+        return q;
     }
   }
   return kNone;
@@ -104,9 +109,10 @@ std::optional<std::uint32_t> Cutter::corner_near(std::uint32_t i, std::uint32_t 
   return std::nullopt;
 }
 
-/// The crossing rounded along the line of i and j; if every rounding changes a sign, none and the plane in the way.
-std::optional<std::uint32_t> Cutter::on_line(std::uint32_t i, std::uint32_t j, std::uint32_t a, std::uint32_t b,
-                                             Vec3 target, std::uint32_t& in_the_way) {
+/// The crossing rounded along the line of i and j; if every rounding changes a sign, none and the plane in
+/// the way.
+std::optional<std::uint32_t> Cutter::on_line(std::uint32_t i, std::uint32_t j, std::uint32_t a,
+                                             std::uint32_t b, Vec3 target, std::uint32_t& in_the_way) {
   const int axis = line_axis(graph_.planes[i], graph_.planes[j]);
   const double along = axis == 0 ? target.x : axis == 1 ? target.y : target.z;
   const std::int64_t nearest = std::llround(along);
@@ -123,9 +129,11 @@ std::optional<std::uint32_t> Cutter::on_line(std::uint32_t i, std::uint32_t j, s
   return std::nullopt;
 }
 
-std::uint32_t Cutter::crossing(std::uint32_t i, std::uint32_t a, std::uint32_t b, const std::vector<Cut>& cuts) {
+std::uint32_t Cutter::crossing(std::uint32_t i, std::uint32_t a, std::uint32_t b,
+                               const std::vector<Cut>& cuts) {
   const std::uint32_t j = cuts[0].plane;
-  for (std::uint32_t q = 0; q < graph_.planes.size(); ++q)  // a wall along the line of i and q crosses at a corner
+  for (std::uint32_t q = 0; q < graph_.planes.size();
+       ++q)  // a wall along the line of i and q crosses at a corner
     if (q != i && graph_.sign(a, q) == 0 && graph_.sign(b, q) == 0)
       if (const auto c = corner(i, j, q, {}, INFINITY)) return *c;
   if (const auto c = corner_near(i, a, b, cuts)) return *c;
@@ -138,8 +146,9 @@ std::uint32_t Cutter::crossing(std::uint32_t i, std::uint32_t a, std::uint32_t b
 }
 
 bool Cutter::cut(std::uint32_t plane, const Wall& wall, std::vector<Wall>& pieces) {
-  // From the lexicographically lower end, so that the result does not depend on the direction of the contour. A new
-  // vertex may have been rounded past a further plane: its piece counts as done only once nothing crosses it.
+  // From the lexicographically lower end, so that the result does not depend on the direction of the contour.
+  // A new vertex may have been rounded past a further plane: its piece counts as done only once nothing
+  // crosses it.
   std::vector<Wall> open{forward(wall)};  // the next piece last
   const std::size_t limit = 16 + 8 * graph_.planes.size();
   for (std::size_t round = 0; !open.empty(); ++round) {

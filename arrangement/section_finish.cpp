@@ -59,8 +59,8 @@ bool RunMerger::try_remove(std::uint32_t v) {
   return true;
 }
 
-/// Vertices of degree 2 in the interior of a face, by coordinates: by number, as framing left them, since all that were
-/// moved or added since lie on lines.
+/// Vertices of degree 2 in the interior of a face, by coordinates: by number, as framing left them, since all
+/// that were moved or added since lie on lines.
 std::vector<std::uint32_t> RunMerger::candidates() const {
   std::vector<std::uint32_t> found;
   for (const std::uint32_t v : vertices_)
@@ -152,8 +152,8 @@ bool strictly_on(const SectionGraph& graph, std::uint32_t p, const Wall& wall, s
          orient2d(graph.planes[p], graph.points[wall.a], graph.points[wall.b], graph.points[v]) == 0;
 }
 
-/// Contours of one plane that touch: a vertex inside another wall cuts it; what then runs double cancels. True if there
-/// were no conflicts.
+/// Contours of one plane that touch: a vertex inside another wall cuts it; what then runs double cancels.
+/// True if there were no conflicts.
 bool cut_touching(SectionGraph& graph, std::uint32_t p) {
   std::vector<WallEnds> ends;
   const auto conflicts = graph.locator(p, ends).conflicts();
@@ -173,8 +173,8 @@ bool cut_touching(SectionGraph& graph, std::uint32_t p) {
   return false;
 }
 
-/// Walls along an arrangement edge are cut at every section vertex there, of any plane; that plane is to be looked at
-/// again.
+/// Walls along an arrangement edge are cut at every section vertex there, of any plane; that plane is to be
+/// looked at again.
 void cut_along_edges(SectionGraph& graph, const Arrangement& arrangement, std::vector<std::uint8_t>& sound) {
   std::vector<std::array<std::uint32_t, 2>> on_edge;  // edge, vertex
   RowLocations location(graph, arrangement);
@@ -267,7 +267,9 @@ bool unify(SectionGraph& graph, const Arrangement& arrangement, std::vector<std:
            const Context& context) {
   drop_bare_vertices(graph);
   sound.assign(graph.planes.size(), 0);
-  const auto cut = [&](std::size_t p) { sound[p] = cut_touching(graph, static_cast<std::uint32_t>(p)) ? 1 : 0; };
+  const auto cut = [&](std::size_t p) {
+    sound[p] = cut_touching(graph, static_cast<std::uint32_t>(p)) ? 1 : 0;
+  };
   if (!parallel_for(graph.planes.size(), context, "sections", cut)) return false;
   cut_along_edges(graph, arrangement, sound);
   drop_bare_vertices(graph);
@@ -282,7 +284,8 @@ PlaneCorners locate_corners(const Arrangement& arrangement, std::uint32_t p, con
   return corners;
 }
 
-void add_arrangement_vertices(SectionGraph& graph, const Arrangement& arrangement, std::span<const PlaneCorners> corners) {
+void add_arrangement_vertices(SectionGraph& graph, const Arrangement& arrangement,
+                              std::span<const PlaneCorners> corners) {
   const std::uint32_t count = arrangement.vertex_count();
   std::vector<bool> in(count, false), out(count, false);
   for (const PlaneCorners& plane : corners)

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <cassert>
 
 #include "../geom/parallel.h"
 #include "section_steps.h"
@@ -26,7 +25,8 @@ std::uint32_t SectionGraph::add(const LatticePoint& point) {
 void SectionGraph::add_on_plane(std::span<const LatticePoint> list, std::span<const std::uint32_t> across) {
   if (list.empty()) return;
   const std::uint32_t first = rows.of(list[0]);
-  for (const LatticePoint& point : list) row_of.push_back(across.empty() ? first : rows.of(point, first, across));
+  for (const LatticePoint& point : list)
+    row_of.push_back(across.empty() ? first : rows.of(point, first, across));
   points.insert(points.end(), list.begin(), list.end());
 }
 
@@ -79,7 +79,8 @@ Result<Done> check_crossings(const SectionGraph& graph, std::span<const std::uin
   });
 }
 
-/// Inner sides of the walls, and the arrangement vertices within the sections: both by one locator for each plane.
+/// Inner sides of the walls, and the arrangement vertices within the sections: both by one locator for each
+/// plane.
 bool orient_walls(SectionGraph& graph, const Arrangement& arrangement, const Context& context) {
   std::vector<section_steps::PlaneCorners> corners(graph.planes.size());
   const bool complete = parallel_for(graph.planes.size(), context, "sections", [&](std::size_t i) {

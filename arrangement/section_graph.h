@@ -49,12 +49,12 @@ struct CrossingStatistics {
 };
 
 struct SectionGraph {
-  std::vector<LatticePlane> planes;    ///< canonical order; bits of the sign rows
-  std::vector<LatticePoint> points;    ///< by vertex, in lexicographic order, all different
-  SignRows rows;                       ///< of the vertices, and of some that were tried
-  std::vector<std::uint32_t> row_of;   ///< by vertex: its row
-  std::vector<Location> locations;     ///< by vertex: the element of the arrangement it lies in
-  std::vector<std::vector<Wall>> walls;               ///< by plane, sorted by (a, b)
+  std::vector<LatticePlane> planes;      ///< canonical order; bits of the sign rows
+  std::vector<LatticePoint> points;      ///< by vertex, in lexicographic order, all different
+  SignRows rows;                         ///< of the vertices, and of some that were tried
+  std::vector<std::uint32_t> row_of;     ///< by vertex: its row
+  std::vector<Location> locations;       ///< by vertex: the element of the arrangement it lies in
+  std::vector<std::vector<Wall>> walls;  ///< by plane, sorted by (a, b)
   std::vector<std::vector<Location>> wall_locations;  ///< by plane and wall: the face or edge that it lies in
   CrossingStatistics statistics;
 

@@ -23,8 +23,8 @@ SectionLocator::SectionLocator(const LatticePlane& plane, std::span<const Lattic
     highest = std::max(highest, box.high);
     spans += box.high - box.low;
   }
-  // As many strips as walls, fewer where walls are long: each wall is in 1 + strips * span / height of them, which
-  // this bounds by 9 on average.
+  // As many strips as walls, fewer where walls are long: each wall is in 1 + strips * span / height of them,
+  // which this bounds by 9 on average.
   const double wanted = spans > 0 ? 8.0 * count * ((highest - lowest) / spans) : 1;
   const std::uint32_t strips = walls.empty() ? 1 : static_cast<std::uint32_t>(std::clamp(wanted, 1.0, count));
   origin_ = walls.empty() ? 0 : lowest;
@@ -45,8 +45,8 @@ void SectionLocator::measure() {
   }
 }
 
-/// Counting sort of the walls into strips. A wall's strips are those between its ends' strips, since strip_of() is
-/// monotone.
+/// Counting sort of the walls into strips. A wall's strips are those between its ends' strips, since
+/// strip_of() is monotone.
 void SectionLocator::fill_strips(std::uint32_t strips) {
   starts_.assign(strips + std::size_t{2}, 0);
   strips_.reserve(boxes_.size());
@@ -71,7 +71,8 @@ inline int SectionLocator::compare_level(const LatticePoint& p, const LatticePoi
   return compare_axis(first_, p, q);
 }
 
-/// orient2d(low, high, p). REQUIRES: the level of p is one of the wall's; then a point beside its box is on that side.
+/// orient2d(low, high, p). REQUIRES: the level of p is one of the wall's; then a point beside its box is on
+/// that side.
 inline int SectionLocator::side_of(std::uint32_t w, const LatticePoint& p) const {
   if (p[first_] < boxes_[w].left) return left_side_;
   if (p[first_] > boxes_[w].right) return -left_side_;
@@ -113,8 +114,8 @@ bool SectionLocator::inside_toward(const LatticePoint& p, const LatticePoint& q)
 }
 
 bool SectionLocator::inside_left(std::uint32_t w) const {
-  // A wall counts for the points on the left of its upward direction. Just left of w the walls other than w decide,
-  // plus w itself, which counts there when w is followed upward.
+  // A wall counts for the points on the left of its upward direction. Just left of w the walls other than w
+  // decide, plus w itself, which counts there when w is followed upward.
   const bool upward = ordered_[w].a == walls_[w].a;
   const bool others = count(points_[walls_[w].a], &points_[walls_[w].b], w).odd;
   return upward ? !others : others;
@@ -174,7 +175,8 @@ std::vector<std::array<std::uint32_t, 2>> SectionLocator::conflicts() const {
   std::vector<std::array<std::uint32_t, 2>> found;
   for (std::uint32_t s = 0; s + 1 < starts_.size(); ++s)
     for (const std::uint32_t v : strip(s)) {
-      if (strips_[v].first != s) continue;  // a pair is tested in the first strip they share: there one of them starts
+      if (strips_[v].first != s)
+        continue;  // a pair is tested in the first strip they share: there one of them starts
       for (const std::uint32_t w : strip(s))
         if (boxes_[v].meets(boxes_[w]) && w != v && (w > v || strips_[w].first != s) && in_conflict(v, w))
           found.push_back({std::min(v, w), std::max(v, w)});

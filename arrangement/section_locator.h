@@ -17,9 +17,9 @@ struct WallEnds {
 
 /// Answers where a point of the plane is relative to the section bounded by closed chains of walls.
 ///
-/// A ray argument in exact arithmetic: the walls whose span contains the level of the point are counted on one
-/// side of it. Level = projected coordinates in lexicographic order, that is, the ray direction is turned by an
-/// infinitesimal angle, so that no wall is parallel to the ray and each wall owns its lower end only.
+/// A ray argument in exact arithmetic: the walls whose span contains the level of the point are counted on
+/// one side of it. Level = projected coordinates in lexicographic order, that is, the ray direction is turned
+/// by an infinitesimal angle, so that no wall is parallel to the ray and each wall owns its lower end only.
 /// Walls are kept in strips of the second projected axis: a query costs the walls that cross its strip.
 class SectionLocator {
  public:
@@ -27,28 +27,31 @@ class SectionLocator {
 
   /// Of no plane, to be assigned to.
   SectionLocator() = default;
-  /// The spans must outlive the locator. REQUIRES: all points on `plane`; every point has an even number of walls.
-  SectionLocator(const LatticePlane& plane, std::span<const LatticePoint> points, std::span<const WallEnds> walls);
+  /// The spans must outlive the locator. REQUIRES: all points on `plane`; every point has an even number of
+  /// walls.
+  SectionLocator(const LatticePlane& plane, std::span<const LatticePoint> points,
+                 std::span<const WallEnds> walls);
 
   /// Where p is; p on a wall or an end of one is boundary.
   Place locate(const LatticePoint& p) const;
   /// True iff the points of the segment from p towards q that are near p are inside. A wall along the segment
   /// does not count, but then the two sides differ: only use inside_left() for walls.
   bool inside_toward(const LatticePoint& p, const LatticePoint& q) const;
-  /// True iff the section is on the left of wall w, looking from its a to its b from the side the normal points to.
-  /// REQUIRES: no other wall crosses or overlaps w.
+  /// True iff the section is on the left of wall w, looking from its a to its b from the side the normal
+  /// points to. REQUIRES: no other wall crosses or overlaps w.
   bool inside_left(std::uint32_t w) const;
 
   /// All pairs of walls (first < second, sorted) that share a point which is not an end of both.
   std::vector<std::array<std::uint32_t, 2>> conflicts() const;
-  /// Pairs (wall, point), sorted, of a wall and an end of another wall that is not an end of it but within `tolerance`
-  /// (in the units of the points) of its interior. Distances are rounded; meant for a few lattice steps.
+  /// Pairs (wall, point), sorted, of a wall and an end of another wall that is not an end of it but within
+  /// `tolerance` (in the units of the points) of its interior. Distances are rounded; meant for a few lattice
+  /// steps.
   std::vector<std::array<std::uint32_t, 2>> near_touches(double tolerance) const;
 
  private:
   struct Count {
-    bool odd = false;       ///< parity of walls on the counted side
-    bool on_wall = false;   ///< the point is on a wall
+    bool odd = false;      ///< parity of walls on the counted side
+    bool on_wall = false;  ///< the point is on a wall
   };
   /// Of the rounded coordinates of a wall's ends. Rounding is monotone: what is apart here is apart.
   struct Box {
@@ -87,11 +90,11 @@ class SectionLocator {
   LatticePlane plane_;
   std::span<const LatticePoint> points_;
   std::span<const WallEnds> walls_;
-  int first_ = 0, second_ = 1;           ///< projected axes; levels are second_, then first_
-  int left_side_ = 1;                    ///< of a wall followed upward: the sign of a point at less of first_
-  std::vector<WallEnds> ordered_;        ///< walls with the lower level first
-  std::vector<Box> boxes_;               ///< by wall
-  std::vector<Strips> strips_;           ///< by wall
+  int first_ = 0, second_ = 1;     ///< projected axes; levels are second_, then first_
+  int left_side_ = 1;              ///< of a wall followed upward: the sign of a point at less of first_
+  std::vector<WallEnds> ordered_;  ///< walls with the lower level first
+  std::vector<Box> boxes_;         ///< by wall
+  std::vector<Strips> strips_;     ///< by wall
   double origin_ = 0, inverse_ = 0, last_strip_ = 0;
   std::vector<std::uint32_t> starts_, items_;
 };

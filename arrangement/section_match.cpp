@@ -70,7 +70,8 @@ class Matcher {
   LatticePointStore& store_;
   double tolerance_;
   std::vector<Move> moves_;
-  std::vector<std::uint8_t> changed_;  ///< by plane: its vertices have moved since it was looked at for conflicts
+  std::vector<std::uint8_t>
+      changed_;  ///< by plane: its vertices have moved since it was looked at for conflicts
   std::vector<double> merge_gaps_;
 };
 
@@ -137,8 +138,8 @@ void Matcher::apply(const std::vector<Cluster>& clusters) {
   for (const Cluster& cluster : clusters) {
     if (cluster.gap == 0) continue;
     for (const OnEdge& member : cluster.members) {
-      moves_.push_back(
-          {member.vertex, member.plane, static_cast<std::uint32_t>(merge_gaps_.size()), graph_.points[member.vertex]});
+      moves_.push_back({member.vertex, member.plane, static_cast<std::uint32_t>(merge_gaps_.size()),
+                        graph_.points[member.vertex]});
       changed_[member.plane] = 1;
       graph_.move(member.vertex, cluster.at);
     }

@@ -4,7 +4,8 @@
 /// Vertex v goes if it is in the interior of a face, has two walls, to u and w, and
 ///   (a) v and all vertices that its two walls have replaced are within the tolerance of the segment uw;
 ///   (b) u and w are not joined by a wall and not on one line of planes;
-///   (c) the closed triangle u v w holds no other vertex of the plane's contours, and uw passes by none at less
+///   (c) the closed triangle u v w holds no other vertex of the plane's contours, and uw passes by none at
+///   less
 ///       than a thousandth of its distance from u and w: the face is triangulated with uw as an edge, which
 ///       takes the more splits the closer it is to others.
 /// Smallest deviation first, then the one that replaces fewer, then by coordinates.

@@ -27,7 +27,8 @@ struct NearPlane {
   PlaneInDoubles at;
   double length = 0;  ///< of the normal
 
-  /// Whether a real point is within `tolerance` of it, lattice units; rounding of about 2^-4 is far below any tolerance.
+  /// Whether a real point is within `tolerance` of it, lattice units; rounding of about 2^-4 is far below any
+  /// tolerance.
   bool holds(Vec3 p, double tolerance) const {
     double sum = at.normal.x * (p.x - at.origin.x);
     sum += at.normal.y * (p.y - at.origin.y);

@@ -43,8 +43,8 @@ void match_crossings(SectionGraph& graph, const Arrangement& arrangement, Lattic
 void merge_collinear_runs(SectionGraph& graph);
 
 /// Equal points become one vertex, walls that touch are cut there, doubled walls cancel, unused vertices go,
-/// and everything is put into lexicographic order. `sound` by plane: 1 if its walls are known to be without conflicts.
-/// False if cancelled.
+/// and everything is put into lexicographic order. `sound` by plane: 1 if its walls are known to be without
+/// conflicts. False if cancelled.
 bool unify(SectionGraph& graph, const Arrangement& arrangement, std::vector<std::uint8_t>& sound,
            const Context& context);
 
@@ -56,15 +56,16 @@ void simplify_contours(SectionGraph& graph, double tolerance);
 /// Takes out the vertices without a wall.
 void drop_bare_vertices(SectionGraph& graph);
 
-/// The arrangement vertices on a plane but not on the box, and which of them are outside of its closed section.
+/// The arrangement vertices on a plane but not on the box, and which of them are outside of its closed
+/// section.
 struct PlaneCorners {
   std::vector<ArrVertexId> vertices;
   std::vector<std::uint8_t> outside;
 };
 PlaneCorners locate_corners(const Arrangement& arrangement, std::uint32_t p, const SectionLocator& locator);
 
-/// Adds the arrangement vertices that lie in the closed section of one of their planes. Walls stay what they are, inner
-/// sides too: none has such a vertex in its interior, and their ends keep their order.
+/// Adds the arrangement vertices that lie in the closed section of one of their planes. Walls stay what they
+/// are, inner sides too: none has such a vertex in its interior, and their ends keep their order.
 void add_arrangement_vertices(SectionGraph& graph, const Arrangement& arrangement,
                               std::span<const PlaneCorners> corners);
 

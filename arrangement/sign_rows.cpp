@@ -43,7 +43,8 @@ std::uint32_t SignRows::of(const LatticePoint& point) {
   return keep_asked();
 }
 
-std::uint32_t SignRows::of(const LatticePoint& point, std::uint32_t like, std::span<const std::uint32_t> across) {
+std::uint32_t SignRows::of(const LatticePoint& point, std::uint32_t like,
+                           std::span<const std::uint32_t> across) {
   const SignView signs = (*this)[like];
   std::copy(signs.pos.begin(), signs.pos.end(), asked_pos_.begin());
   std::copy(signs.zero.begin(), signs.zero.end(), asked_zero_.begin());

@@ -11,8 +11,8 @@
 
 namespace crossloft {
 
-/// Points of one face, edge or vertex of the arrangement have equal signs. With k planes a row of k signs for each
-/// point would be most of a graph, and most of the time it is copied and compared; a number is not.
+/// Points of one face, edge or vertex of the arrangement have equal signs. With k planes a row of k signs for
+/// each point would be most of a graph, and most of the time it is copied and compared; a number is not.
 class SignRows {
  public:
   SignRows() = default;
@@ -40,11 +40,11 @@ class SignRows {
   std::vector<LatticePlane> planes_;
   std::vector<PlaneInDoubles> in_doubles_;
   std::size_t words_ = 1;
-  std::vector<SignWord> pos_, zero_;             ///< `words_` of each row
-  std::vector<std::uint32_t> planes_through_;    ///< by row
-  std::vector<std::uint32_t> slots_;             ///< open addressing over the rows, at most half full
-  std::vector<SignWord> asked_pos_, asked_zero_; ///< what ask() has filled in
-  std::uint32_t last_ = kNone;                   ///< given out last: the next point is mostly of the same element
+  std::vector<SignWord> pos_, zero_;              ///< `words_` of each row
+  std::vector<std::uint32_t> planes_through_;     ///< by row
+  std::vector<std::uint32_t> slots_;              ///< open addressing over the rows, at most half full
+  std::vector<SignWord> asked_pos_, asked_zero_;  ///< what ask() has filled in
+  std::uint32_t last_ = kNone;  ///< given out last: the next point is mostly of the same element
 };
 
 }  // namespace crossloft

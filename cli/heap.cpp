@@ -17,8 +17,8 @@ namespace crossloft::cli {
 #if defined(__GLIBC__)
 namespace {
 
-constexpr int kLargestInHeap = 32 << 20;       // as far as glibc goes; what is larger is mapped for itself
-constexpr int kFirstExtent = 1 << 30;          // addresses, not memory
+constexpr int kLargestInHeap = 32 << 20;  // as far as glibc goes; what is larger is mapped for itself
+constexpr int kFirstExtent = 1 << 30;     // addresses, not memory
 constexpr int kFurtherExtents = 64 << 20;
 constexpr std::uintptr_t kLargePage = std::uintptr_t{1} << 21;
 

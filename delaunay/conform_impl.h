@@ -222,11 +222,13 @@ void Conformer<P, Split>::report(std::vector<Segment>& segments) {
   segments.clear();
   segments.reserve(pieces_.size());
   result_.source.reserve(pieces_.size());
-  const bool untouched = by_ends_.empty() && !result_.limit_reached;  // all were edges at the start, but for those given up
+  const bool untouched =
+      by_ends_.empty() && !result_.limit_reached;  // all were edges at the start, but for those given up
   for (std::uint32_t s = 0; s < segment_count_; ++s)
     for (std::uint32_t k = s; k != kNone; k = pieces_[k].next) {
       const Piece& p = pieces_[k];
-      if ((!untouched || p.given_up) && !tri_.has_edge(p.a, p.b)) result_.failed.push_back(static_cast<std::uint32_t>(segments.size()));
+      if ((!untouched || p.given_up) && !tri_.has_edge(p.a, p.b))
+        result_.failed.push_back(static_cast<std::uint32_t>(segments.size()));
       segments.push_back({p.a, p.b});
       result_.source.push_back(s);
     }

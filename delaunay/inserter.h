@@ -42,8 +42,9 @@ namespace crossloft::detail {
 template <std::size_t D>
 struct GrowingTriangulation {
   SimplexStore<D> cells;
-  std::vector<std::uint32_t> kept;      ///< grows on the first duplicate or hidden one; identity beyond
-  std::vector<std::uint32_t> incident;  ///< in the plane only, of vertex v at v + 1: one of its cells, kNone before
+  std::vector<std::uint32_t> kept;  ///< grows on the first duplicate or hidden one; identity beyond
+  std::vector<std::uint32_t>
+      incident;  ///< in the plane only, of vertex v at v + 1: one of its cells, kNone before
 
   std::uint32_t kept_of(std::uint32_t i) const { return i < kept.size() ? kept[i] : i; }
 };
@@ -164,7 +165,8 @@ class Inserter {
   std::size_t dug_vertices_ = 0;   ///< vertices of the cavity, the ghost too, where some can be hidden
   std::vector<std::uint8_t> dug_;  ///< by local number, as far as needed: in the cavity
   Scratch<StarCell> star_;
-  std::vector<Facet> edges_;  ///< of new cells by the directed edge of the rim that they have; in the plane by its start
+  std::vector<Facet>
+      edges_;  ///< of new cells by the directed edge of the rim that they have; in the plane by its start
   bool tells_removed_ = true;
   std::vector<std::array<std::uint32_t, 2>> removed_;
 };

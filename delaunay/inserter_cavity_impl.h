@@ -220,7 +220,8 @@ void Inserter<D, P, T>::fill(std::uint32_t e) {
 template <std::size_t D, class P, class T>
 void Inserter<D, P, T>::fill_by_table(std::uint32_t e) requires(D == 3) {
   const std::size_t width = local_.size();
-  if (edges_.size() < width * width) edges_.resize(std::min(2 * width, kMostInTable) * std::min(2 * width, kMostInTable));
+  if (edges_.size() < width * width)
+    edges_.resize(std::min(2 * width, kMostInTable) * std::min(2 * width, kMostInTable));
   StarCell* star = star_.restart(rim_.size());
   for (const Rim& rim : rim_) {
     const Facet base = make_cell(rim, e);

@@ -94,7 +94,8 @@ bool Inserter<D, P, T>::ghost_conflict(std::uint32_t cell, std::uint32_t e) cons
 template <std::size_t D, class P, class T>
 inline void Inserter<D, P, T>::note_incident(std::uint32_t cell) {
   if constexpr (D == 2)
-    for (const std::uint32_t v : cells_.vertices(cell)) shared_.incident[v + 1u] = cell;  // the ghost in front
+    for (const std::uint32_t v : cells_.vertices(cell))
+      shared_.incident[v + 1u] = cell;  // the ghost in front
 }
 
 template <std::size_t D, class P, class T>

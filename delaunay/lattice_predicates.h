@@ -64,17 +64,21 @@ class LatticePredicates2 {
   LatticePredicates2(const LatticePlane& plane, const std::vector<LatticePoint>& points);
 
   std::uint32_t size() const { return static_cast<std::uint32_t>(points_->size()); }
-  double coordinate(std::uint32_t i, int axis) const { return (*points_)[i][axis == 0 ? projection_.u : projection_.v]; }
+  double coordinate(std::uint32_t i, int axis) const {
+    return (*points_)[i][axis == 0 ? projection_.u : projection_.v];
+  }
   int orient2d(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
     if constexpr (!kInlineFilters)
       return crossloft::orient2d(plane_, (*points_)[a], (*points_)[b], (*points_)[c]);
-    if (const int sign = orient2d_filter(projection_, (*points_)[a], (*points_)[b], (*points_)[c])) return sign;
+    if (const int sign = orient2d_filter(projection_, (*points_)[a], (*points_)[b], (*points_)[c]))
+      return sign;
     return orient2d_exact(plane_, (*points_)[a], (*points_)[b], (*points_)[c]);
   }
   int incircle(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) const {
     if constexpr (!kInlineFilters)
       return crossloft::incircle(plane_, (*points_)[a], (*points_)[b], (*points_)[c], (*points_)[d]);
-    if (const int sign = incircle_filter(projection_, (*points_)[a], (*points_)[b], (*points_)[c], (*points_)[d]))
+    if (const int sign =
+            incircle_filter(projection_, (*points_)[a], (*points_)[b], (*points_)[c], (*points_)[d]))
       return sign;
     return incircle_exact(plane_, (*points_)[a], (*points_)[b], (*points_)[c], (*points_)[d]);
   }

@@ -15,8 +15,8 @@ namespace crossloft {
 /// one. Its facets then count for the prices of its neighbours, which may decide them. What is left, some
 /// hundredths in practice, is cut.
 ///
-/// REQUIRES: as minimum_cut(); terminals and capacities at most kUncuttable / 8, so that nothing overflows.
-/// Near O(n), and minimum_cut() of what is left.
+/// REQUIRES: as minimum_cut(); a terminal and the four capacities of a tetrahedron add up to kUncuttable at
+/// most, so that nothing overflows. Near O(n), and minimum_cut() of what is left.
 std::vector<std::uint8_t> smallest_cheapest(const CutProblem& problem);
 
 }  // namespace crossloft

@@ -22,8 +22,10 @@ class Bodies {
 
   /// Tetrahedron t joins the pieces next to it, in the order of their names: not in that of its slots.
   void add(std::uint32_t t, std::span<std::uint32_t> pieces, std::int32_t confidence) {
-    for (std::uint32_t& p : pieces) p = sets_.find(p);
-    std::sort(pieces.begin(), pieces.end());
+    for (std::size_t k = 0; k < pieces.size(); ++k) {  // four at most: sorted as they come
+      pieces[k] = sets_.find(pieces[k]);
+      for (std::size_t i = k; i > 0 && pieces[i] < pieces[i - 1]; --i) std::swap(pieces[i], pieces[i - 1]);
+    }
     pieces =
         pieces.first(static_cast<std::size_t>(std::unique(pieces.begin(), pieces.end()) - pieces.begin()));
     for (const std::uint32_t p : pieces) sets_.join(tet(t), p);

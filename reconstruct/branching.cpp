@@ -335,10 +335,7 @@ bool BranchingCell::Sampler::is_of_use(const Candidate& c) const {
 }
 
 void BranchingCell::Sampler::take(std::size_t face, FaceBranching& out) const {
-  FaceState state{face,
-                  OpenFace(cell_.graph_, cell_.arrangement_, out.face),
-                  {},
-                  out};
+  FaceState state{face, OpenFace(cell_.graph_, cell_.arrangement_, out.face), {}, out};
   std::vector<Candidate> candidates = found_[face];
   junctions_first(candidates);
   for (const Candidate& c : candidates)

@@ -33,10 +33,9 @@ struct CellBranching {
 class BranchingCell {
  public:
   /// `ids` and `faces` in step: the faces of the cell that are not on the box. `points` by number.
-  BranchingCell(const SectionGraph& graph, const Arrangement& arrangement,
-                const PlaneLocators& locators, std::span<const FaceId> ids,
-                std::span<const CellFace> faces, std::span<const LatticePoint> points,
-                const BranchingOptions& options);
+  BranchingCell(const SectionGraph& graph, const Arrangement& arrangement, const PlaneLocators& locators,
+                std::span<const FaceId> ids, std::span<const CellFace> faces,
+                std::span<const LatticePoint> points, const BranchingOptions& options);
 
   /// False if no diagram of the cell can have a sample: there must be a section, in mode automatic three
   /// components.

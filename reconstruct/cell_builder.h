@@ -1,5 +1,6 @@
 #pragma once
-/// One cell of the arrangement: Delaunay triangulation of its section vertices with its grounded simplices classified.
+/// One cell of the arrangement: Delaunay triangulation of its section vertices with its grounded simplices
+/// classified.
 
 #include <span>
 #include <vector>
@@ -18,12 +19,14 @@ struct GroundTriangle {
 struct BuiltCell {
   std::vector<std::uint32_t> vertices;  ///< final numbers, ascending; local number = position
   CellComplex complex;
-  /// The triangles under the internal facets, in the order of tetrahedra and slots: by number in prune/ground.h.
+  /// The triangles under the internal facets, in the order of tetrahedra and slots: by number in
+  /// prune/ground.h.
   std::vector<GroundTriangle> ground;
 };
 
-/// Classifies R0. Local numbers of the result are in the order of the final ones. Without tetrahedra the complex is empty.
-/// Error internal if a face triangle is not a hull facet or a hull facet on a face not one of its triangles.
+/// Classifies R0. Local numbers of the result are in the order of the final ones. Without tetrahedra the
+/// complex is empty. Error internal if a face triangle is not a hull facet or a hull facet on a face not one
+/// of its triangles.
 Result<BuiltCell> build_cell(std::span<const CellFace> faces, const CellTriangulation& triangulation,
                              const LineEdges& line_edges, std::span<const std::uint32_t> graph_vertex_of);
 

@@ -75,8 +75,8 @@ void Pipeline::classify_lines() {
   }
 }
 
-/// No more samples will come: what they would have needed goes, since with many vertices the peak of memory is still
-/// to come.
+/// No more samples will come: what they would have needed goes, since with many vertices the peak of memory
+/// is still to come.
 void Pipeline::drop_what_samples_need() {
   inputs_ = {};
   locators_.reset();
@@ -93,7 +93,8 @@ void Pipeline::drop_what_cells_need() {
   line_edges_.reset();
   graph_.points = {};
   graph_.locations = {};
-  release_free_memory();
+  constexpr std::size_t kMany = 100'000;  // below it is megabytes, and not worth the page faults
+  if (numbering_.points.size() > kMany) release_free_memory();
 }
 
 /// Faces are final, and the sections are what they say.

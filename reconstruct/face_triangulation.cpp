@@ -50,7 +50,8 @@ class PlacesInFaces {
 };
 
 /// The section vertices of every face. They come ascending, so the lists are too.
-void collect_vertices(const SectionGraph& graph, const Arrangement& arrangement, std::vector<FaceInput>& inputs) {
+void collect_vertices(const SectionGraph& graph, const Arrangement& arrangement,
+                      std::vector<FaceInput>& inputs) {
   std::vector<std::uint32_t> count(inputs.size(), 0);
   for (const Location at : graph.locations)
     for_each_face(arrangement, at, [&](FaceId f) { ++count[f.value]; });
@@ -86,7 +87,8 @@ std::vector<FaceInput> face_inputs(const SectionGraph& graph, const Arrangement&
       if (at.dimension == 2) inputs[at.index].walls.push_back(places.local(wall, at.index));
       if (at.dimension == 1)
         for (const FaceId f : arrangement.faces_around(ArrEdgeId{at.index}))
-          if (arrangement.plane_of(f).value == p) inputs[f.value].border.push_back(places.local(wall, f.value));
+          if (arrangement.plane_of(f).value == p)
+            inputs[f.value].border.push_back(places.local(wall, f.value));
     }
   return inputs;
 }
@@ -169,7 +171,8 @@ class FaceBuilder {
   FaceTriangulation result_;
   TriMesh mesh_;
   WallTable table_;
-  std::vector<std::array<std::uint32_t, 3>> wall_at_;  ///< by triangle: wall of the table on the side opposite each vertex
+  std::vector<std::array<std::uint32_t, 3>>
+      wall_at_;  ///< by triangle: wall of the table on the side opposite each vertex
 };
 
 Result<Done> FaceBuilder::conform_to_walls(Delaunay2<LatticePredicates2>& tri) {
@@ -190,14 +193,15 @@ Result<Done> FaceBuilder::conform_to_walls(Delaunay2<LatticePredicates2>& tri) {
   }
   if (!conformed.failed.empty()) {
     const Wall& wall = result_.walls[conformed.failed[0]];
-    return Error{ErrorCode::too_thin,
-                 conformed.limit_reached
-                     ? "other contours come so close that an edge would need too many splits to become Delaunay"
-                     : "other contours come so close that an edge can't be split to become Delaunay",
-                 {},
-                 wall.line,
-                 wall.source_plane,
-                 wall.contour};
+    return Error{
+        ErrorCode::too_thin,
+        conformed.limit_reached
+            ? "other contours come so close that an edge would need too many splits to become Delaunay"
+            : "other contours come so close that an edge can't be split to become Delaunay",
+        {},
+        wall.line,
+        wall.source_plane,
+        wall.contour};
   }
   result_.added.assign(points_.begin() + static_cast<std::ptrdiff_t>(input_.vertices.size()), points_.end());
   return Done{};
@@ -245,7 +249,8 @@ Result<Done> FaceBuilder::label() {
       const std::uint32_t t = stack.back();
       stack.pop_back();
       for (std::uint32_t i = 0; i < 3; ++i)
-        if (const std::uint32_t n = mesh_.neighbours[t][i]; n != kNone && wall_at_[t][i] == WallTable::kNoWall)
+        if (const std::uint32_t n = mesh_.neighbours[t][i];
+            n != kNone && wall_at_[t][i] == WallTable::kNoWall)
           mark(n, result_.internal[t] != 0);
     }
   };
@@ -265,7 +270,8 @@ Result<Done> FaceBuilder::label() {
 
 void FaceBuilder::collect_edges() {
   result_.sides.resize(mesh_.size());
-  result_.edges.reserve(points_.size() + mesh_.size());  // Euler: one less, but for points that are none of its vertices
+  // Euler: one less, but for points that are none of its vertices.
+  result_.edges.reserve(points_.size() + mesh_.size());
   for (std::uint32_t t = 0; t < mesh_.size(); ++t)
     for (std::uint32_t i = 0; i < 3; ++i) {
       if (const std::uint32_t n = mesh_.neighbours[t][i]; n != kNone && n < t) {

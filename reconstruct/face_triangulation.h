@@ -50,8 +50,8 @@ struct FaceInput {
 /// The inputs of all faces that are not on the box, by face.
 std::vector<FaceInput> face_inputs(const SectionGraph& graph, const Arrangement& arrangement);
 
-/// Triangulates; without area in its vertices the face has no triangles. Independent of other faces: may run in parallel. Error too_thin (with plane and contour) if a contour edge
-/// could not be recovered.
+/// Triangulates; without area in its vertices the face has no triangles. Independent of other faces: may run
+/// in parallel. Error too_thin (with plane and contour) if a contour edge could not be recovered.
 Result<FaceTriangulation> triangulate_face(const SectionGraph& graph, const Arrangement& arrangement,
                                            const PlaneLocators& locators, const FaceInput& input);
 /// Triangulates the face anew with samples inside its section; what `coarse` has keeps its local number. Its

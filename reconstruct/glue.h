@@ -40,9 +40,9 @@ struct GluedSurface {
 
 /// Glues. Tetrahedra are given by input vertices a, b, c, d with det(b-a, c-a, d-a) > 0 and match by vertex
 /// triples; those without a partner are the boundary. Without overlaps the result depends on the set of
-/// tetrahedra only, not on their order nor on which even permutation of its vertices each is given by. Errors:
-/// internal, if three facets share a triple, or two have the same side (overlapping tetrahedra); too_large
-/// from 2^29 tetrahedra on. O(n log n + largest vertex), arrays only. The context lends threads.
+/// tetrahedra only, not on their order nor on which even permutation of its vertices each is given by.
+/// Errors: internal, if three facets share a triple, or two have the same side (overlapping tetrahedra);
+/// too_large from 2^29 tetrahedra on. O(n log n + largest vertex), arrays only. The context lends threads.
 Result<GluedSurface> glue(std::span<const std::array<std::uint32_t, 4>> tets, const Context& context = {});
 
 /// What is known before: the triangulations of the cells say what is next to what.
@@ -59,7 +59,8 @@ Result<GluedSurface> glue(std::span<const std::array<std::uint32_t, 4>> tets, Kn
                           const Context& context = {});
 
 /// The boundary before it is cut apart: triangles with the smallest vertex first, sorted; side 3 t + i leads
-/// from corner i of triangle t to the next one, and mate[side] is the side across its edge, through the solid.
+/// from corner i of triangle t to the next one, and mate[side] is the side across its edge, through the
+/// solid.
 struct PairedBoundary {
   std::vector<std::array<std::uint32_t, 3>> triangles;
   std::vector<std::uint32_t> facets;  ///< by triangle: 4 * its tetrahedron + slot

@@ -51,7 +51,8 @@ struct Piece {
 struct CellState {
   std::unique_ptr<CellTriangulation> triangulation;  ///< kept only while samples may come
   std::vector<std::array<std::uint32_t, 4>> tets;    ///< kept ones, by final vertex numbers
-  /// In step: the facet glued to each of its facets, as 4 * position of its tetrahedron + slot; kNone elsewhere
+  /// In step: the facet glued to each of its facets, as 4 * position of its tetrahedron + slot; kNone
+  /// elsewhere
   std::vector<std::array<std::uint32_t, 4>> partners;
   CellReport report;
   double delaunay_seconds = 0, pruning_seconds = 0;
@@ -171,10 +172,10 @@ class Pipeline {
   std::unique_ptr<LineEdges> line_edges_;
   Numbering numbering_;
   std::unique_ptr<LazySectionField> field_;  ///< mode natural
-  std::vector<CellState> cells_;   ///< by cell of the arrangement
-  bool samples_may_come_ = false;  ///< cells are pruned to see where branching samples are wanted
+  std::vector<CellState> cells_;             ///< by cell of the arrangement
+  bool samples_may_come_ = false;            ///< cells are pruned to see where branching samples are wanted
   std::vector<std::array<std::uint32_t, 4>> tets_;
-  KnownFacets known_;  ///< of tets_, unless they have been glued
+  KnownFacets known_;                                    ///< of tets_, unless they have been glued
   std::vector<std::array<std::uint32_t, 4>> roof_tets_;  ///< of flat regions
   Reconstruction result_;
 };

@@ -9,8 +9,8 @@
 
 namespace crossloft {
 
-/// Each is made when it is first asked for: only a face without walls and branching samples need one, so that with a
-/// stack of slices there is none as a rule.
+/// Each is made when it is first asked for: only a face without walls and branching samples need one, so that
+/// with a stack of slices there is none as a rule.
 class PlaneLocators {
  public:
   /// The graph must outlive it.
