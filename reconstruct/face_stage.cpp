@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <string>
 
-#include "../geom/free_memory.h"
 #include "assemble.h"
 #include "pipeline.h"
 
@@ -93,8 +92,6 @@ void Pipeline::drop_what_cells_need() {
   line_edges_.reset();
   graph_.points = {};
   graph_.locations = {};
-  constexpr std::size_t kMany = 100'000;  // below it is megabytes, and not worth the page faults
-  if (numbering_.points.size() > kMany) release_free_memory();
 }
 
 /// Faces are final, and the sections are what they say.
