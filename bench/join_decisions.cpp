@@ -148,18 +148,20 @@ class JoinStudy : public Observer {
 
   void on_sections(const FramedSections& framed, const Arrangement& arrangement,
                    const SectionGraph& graph) override {
-    framed_ = &framed;
-    arrangement_ = &arrangement;
+    grid_.emplace(framed.grid);
+    arrangement_.emplace(arrangement);
     field_.emplace(section_field(graph));
   }
-  void on_face(const FaceTriangulation&, const Numbering& numbering) override { numbering_ = &numbering; }
+  void on_face(const FaceTriangulation&, const Numbering& numbering) override {
+    if (numbering_.points.size() != numbering.points.size()) numbering_ = numbering;
+  }
 
   void on_cell(CellId id, const BuiltCell& built, const PruneResult&) override {
     if (built.complex.mesh.size() == 0) return;
     std::vector<FaceId> faces;
     for (const FaceId f : arrangement_->faces_of(id))
       if (!arrangement_->on_box(f)) faces.push_back(f);
-    const CellShape shape = cell_shape(*arrangement_, id, faces, built, *numbering_);
+    const CellShape shape = cell_shape(*arrangement_, id, faces, built, numbering_);
     CellUnderStudy cell{built.complex, shape, Ground(built.complex), without_external(built.complex), {}};
     cell.body = bodies(built, cell.ground);
     if (cell.ground.part_count() > 1) study(cell);
@@ -169,7 +171,7 @@ class JoinStudy : public Observer {
   /// By ground triangle. A cell is convex: the mean of its vertices is within.
   std::vector<std::uint32_t> bodies(const BuiltCell& built, const Ground& ground) const {
     const auto place = [&](std::uint32_t v) {
-      return framed_->grid.from_lattice(numbering_->points[built.vertices[v]]);
+      return grid_->from_lattice(numbering_.points[built.vertices[v]]);
     };
     Vec3 middle;
     for (std::uint32_t v = 0; v < built.vertices.size(); ++v)
@@ -205,9 +207,9 @@ class JoinStudy : public Observer {
   const CellTruth& truth_;
   std::uint32_t run_;
   Decisions& decisions_;
-  const FramedSections* framed_ = nullptr;
-  const Arrangement* arrangement_ = nullptr;
-  const Numbering* numbering_ = nullptr;
+  std::optional<WorldGrid> grid_;  // copies: what an observer sees is valid during its call
+  std::optional<Arrangement> arrangement_;
+  Numbering numbering_;
   std::optional<SectionField> field_;
 };
 

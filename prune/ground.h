@@ -24,7 +24,8 @@ struct Facet {
 
 class Ground {
  public:
-  /// O(n + degrees of the vertices in the sections).
+  /// REQUIRES: each edge of the hull is in two triangles of it, as in R0; the complex stays as it is while
+  /// this is used. O(n + degrees of the vertices in the sections).
   explicit Ground(const CellComplex& complex);
 
   std::uint32_t size() const { return static_cast<std::uint32_t>(facets_.size()); }

@@ -57,7 +57,8 @@ struct NaturalResult {
 /// Where that has handles, holes, domes or joins that are not sure: growth from the sections within it by
 /// moves that make no handle (simple_growth.h), and its cracks filled. (4) If asked, and the shape has a
 /// field: joins in doubt are decided by it, with growth again where that changes any (likely_joins.h). The
-/// result depends on the tetrahedra and vertex numbers alone, and on the field.
+/// result depends on the tetrahedra and vertex numbers alone, and on the field. REQUIRES: the ground is the
+/// complex's.
 NaturalResult prune_naturally(const CellComplex& complex, const Ground& ground, const CellShape& shape,
                               const std::vector<std::uint8_t>& r1, const NaturalOptions& options,
                               const CellRequests& requests);

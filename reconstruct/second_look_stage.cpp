@@ -2,6 +2,7 @@
 /// changed.
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <map>
 #include <tuple>
@@ -61,7 +62,9 @@ class SurfacePieces {
       }
       if (!whole) continue;
       // What is whole comes in the order of the boundary, from the same vertex on.
-      while (boundary.triangles[next] != vertices) ++next;
+      while (next < boundary.triangles.size() && boundary.triangles[next] != vertices) ++next;
+      assert(next < boundary.triangles.size());
+      if (next == boundary.triangles.size()) break;
       list.push_back({boundary.facets[next], piece, vertices});
     }
     std::sort(list.begin(), list.end(), [](const auto& x, const auto& y) { return x.number < y.number; });
