@@ -6,15 +6,17 @@
 
 #include "../arrangement/framed_sections.h"
 #include "../arrangement/sections.h"
+#include "../geom/context.h"
 #include "glue.h"
 #include "numbering.h"
 #include "surface.h"
 
 namespace crossloft {
 
-/// Sorts the tetrahedra (each keeps its orientation) and numbers the vertices they use.
+/// Sorts the tetrahedra (each keeps its orientation) and numbers the vertices they use. O(n log k) for k
+/// tetrahedra of one vertex. Of no use if the context has been cancelled.
 Solid assemble_solid(std::vector<std::array<std::uint32_t, 4>>& tets, const Numbering& numbering,
-                     const WorldGrid& grid);
+                     const WorldGrid& grid, const Context& context);
 Surface assemble_surface(const GluedSurface& glued, const Numbering& numbering, const WorldGrid& grid);
 /// The sections as the solid meets them: snapped, merged, split; planes in canonical order with unit normals.
 Sections assemble_sections(const FramedSections& framed, const SectionGraph& graph,

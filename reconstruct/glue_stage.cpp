@@ -67,7 +67,8 @@ Result<Done> Pipeline::glue_cells() {
     glued_ = std::make_unique<GluedSurface>(std::move(made).value());
   }
   // Puts tets_ into another order: what was known of their facets is of no use from here on.
-  result_.solid = assemble_solid(tets_, numbering_, framed_.grid);
+  result_.solid = assemble_solid(tets_, numbering_, framed_.grid, context_);
+  if (context_.cancelled()) return cancelled();
   const GluedSurface* const glued = glued_.get();
   const auto good = self_check("gluing", [&] {
     const auto count = static_cast<std::uint32_t>(glued->vertices.size());
