@@ -260,26 +260,34 @@ std::uint32_t label_parts(const TetMesh& mesh, const std::vector<std::uint8_t>& 
   return parts;
 }
 
-std::uint32_t count_bodies(const CellComplex& complex, const Ground& ground,
-                           const std::vector<std::uint8_t>& kept) {
+DisjointSets join_bodies(const CellComplex& complex, const Ground& ground,
+                         const std::vector<std::uint8_t>& kept) {
   std::vector<std::uint32_t> part;
   const std::uint32_t parts = label_parts(complex.mesh, kept, part);
-  DisjointSets bodies(std::size_t{parts} + ground.size());
+  DisjointSets bodies(ground.size() + std::size_t{parts});
   for (std::uint32_t g = 0; g < ground.size(); ++g) {
-    bodies.join(parts + g, parts + ground.part(g));
+    bodies.join(g, ground.part(g));
     const std::uint32_t above = part[ground.facet(g).tet];
-    if (above != kNone) bodies.join(above, parts + g);
+    if (above != kNone) bodies.join(ground.size() + above, g);
   }
-  return bodies.count();
+  return bodies;
 }
 
 }  // namespace
+
+std::vector<std::uint32_t> bodies_of_ground(const CellComplex& complex, const Ground& ground,
+                                            const std::vector<std::uint8_t>& kept) {
+  DisjointSets bodies = join_bodies(complex, ground, kept);
+  std::vector<std::uint32_t> body(ground.size());
+  for (std::uint32_t g = 0; g < body.size(); ++g) body[g] = bodies.find(g);
+  return body;
+}
 
 CellTopology count_topology(const CellComplex& complex, const Ground& ground,
                             const std::vector<std::uint8_t>& kept) {
   CellTopology topology;
   topology.sections = ground.part_count();
-  topology.bodies = count_bodies(complex, ground, kept);
+  topology.bodies = join_bodies(complex, ground, kept).count();
   CellSurface(complex, ground, kept).count(topology);
   return topology;
 }

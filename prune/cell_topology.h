@@ -39,5 +39,8 @@ struct CellTopology {
 /// O(n + degrees of edges on S). REQUIRES: kept.size() == complex.mesh.size().
 CellTopology count_topology(const CellComplex& complex, const Ground& ground,
                             const std::vector<std::uint8_t>& kept);
+/// By ground triangle: a number that those of the same body have in common.
+std::vector<std::uint32_t> bodies_of_ground(const CellComplex& complex, const Ground& ground,
+                                            const std::vector<std::uint8_t>& kept);
 
 }  // namespace crossloft

@@ -9,6 +9,7 @@
 #include "likely_joins.h"
 #include "outside.h"
 #include "star.h"
+#include "widest_ways.h"
 
 namespace crossloft {
 namespace {
@@ -26,10 +27,11 @@ class NaturalPruning {
                 requests.opened},
         ground_(ground),
         meter_(complex, ground, shape),
-        confidence_(complex.mesh.size(), -kCertain) {}
+        confidence_(complex.mesh.size(), -kCertain),
+        is_measured_(complex.mesh.size(), 0) {}
 
   NaturalResult run(const std::vector<std::uint8_t>& r1) {
-    measure(r1, false);
+    measure_open(r1);
     EnergyWeights weights;
     weights.smooth = options_.smooth_weight;
     NaturalResult result;
@@ -37,14 +39,12 @@ class NaturalPruning {
     result.r2 = static_cast<std::uint32_t>(std::count(result.kept.begin(), result.kept.end(), 1));
     NaturalReport& report = result.report;
     report.before = report.after = count_topology(complex_, ground_, result.kept);
-    const bool joins = report.before.bodies < report.before.sections;
-    if (joins) {
-      measure(r1, true);
-      report.joins = find_joins(complex_, ground_, result.kept, confidence_);
-    }
+    if (report.before.bodies < report.before.sections)
+      report.joins =
+          find_widest_ways(complex_, ground_, result.kept, bodies_of_ground(complex_, ground_, result.kept),
+                           [&](std::uint32_t t) { return confidence_of(t); });
     const bool good = is_good(report, result.kept), doubts = may_doubt();
-    if (!joins && (!good || doubts || !requests_.joined.empty() || !requests_.questions.empty()))
-      measure(r1, true);
+    if (!good || doubts || !requests_.joined.empty() || !requests_.questions.empty()) measure_all(r1);
     const std::vector<std::uint8_t> cheapest = doubts ? result.kept : std::vector<std::uint8_t>{};
     if (!good) grow(result, limits_);
     if (doubts) decide_joins(r1, cheapest, result);
@@ -137,10 +137,20 @@ class NaturalPruning {
     result.report.after = count_topology(complex_, ground_, result.kept);
   }
 
+  std::int32_t confidence_of(std::uint32_t t) {
+    if (is_measured_[t] == 0) confidence_[t] = meter_.measure(t), is_measured_[t] = 1;
+    return confidence_[t];
+  }
+
   /// The cut does not ask how likely tied tetrahedra are: they are measured where joins or growth do.
-  void measure(const std::vector<std::uint8_t>& wanted, bool tied) {
-    for (std::uint32_t t = 0; t < wanted.size(); ++t)
-      if (wanted[t] != 0 && is_tied_to_sections(complex_, t) == tied) confidence_[t] = meter_.measure(t);
+  void measure_open(const std::vector<std::uint8_t>& r1) {
+    for (std::uint32_t t = 0; t < r1.size(); ++t)
+      if (r1[t] != 0 && !is_tied_to_sections(complex_, t)) confidence_of(t);
+  }
+
+  void measure_all(const std::vector<std::uint8_t>& r1) {
+    for (std::uint32_t t = 0; t < r1.size(); ++t)
+      if (r1[t] != 0) confidence_of(t);
   }
 
   /// Nothing that growth could decide otherwise.
@@ -159,6 +169,7 @@ class NaturalPruning {
   const Ground& ground_;
   ConfidenceMeter meter_;
   std::vector<std::int32_t> confidence_;
+  std::vector<std::uint8_t> is_measured_;
 };
 
 }  // namespace

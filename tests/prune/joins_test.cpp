@@ -8,6 +8,8 @@
 
 #include "brute_solid.h"
 #include "cells.h"
+#include "prune/cell_topology.h"
+#include "prune/widest_ways.h"
 
 namespace {
 
@@ -90,6 +92,38 @@ TEST_CASE("random cells: joins do not depend on the numbers of the tetrahedra no
     CHECK(find_joins(cell, Ground(cell), kept, confidence) ==
           find_joins(other, Ground(other), r1_of(other), moved_confidence));
   }
+}
+
+TEST_CASE("random cells: the widest ways are the joins, found with fewer confidences") {
+  std::size_t joined = 0, asked = 0, all = 0;
+  for (std::uint32_t seed = 600; seed < 1600; ++seed) {
+    CAPTURE(seed);
+    std::mt19937 random(seed);
+    const CellComplex cell = random_cell(seed);
+    const Ground ground(cell);
+    Flags kept = r1_of(cell);
+    for (std::uint8_t& k : kept) k = k != 0 && random() % 16 != 0;
+    // Few different ones, so that ties matter, or many.
+    const std::uint32_t values = seed % 2 == 0 ? 4 : 1000;
+    std::vector<std::int32_t> confidence;
+    for (std::uint32_t t = 0; t < kept.size(); ++t)
+      confidence.push_back(static_cast<std::int32_t>(random() % values));
+    std::vector<std::uint32_t> times(kept.size(), 0);
+    const std::vector<Join> joins =
+        find_widest_ways(cell, ground, kept, bodies_of_ground(cell, ground, kept), [&](std::uint32_t t) {
+          ++times[t];
+          return confidence[t];
+        });
+    CHECK(joins == find_joins(cell, ground, kept, confidence));
+    for (std::uint32_t t = 0; t < kept.size(); ++t) {
+      CHECK(times[t] <= kept[t]);
+      asked += times[t];
+      all += kept[t];
+    }
+    joined += joins.size();
+  }
+  CHECK(joined > 500);
+  CHECK(3 * asked < 2 * all);
 }
 
 TEST_CASE("parts of the ground are named by their smallest vertex, where they begin") {
