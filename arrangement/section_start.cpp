@@ -10,6 +10,7 @@
 #include "../geom/lattice_filters.h"
 #include "../geom/parallel.h"
 #include "../geom/plane_line.h"
+#include "data_box.h"
 #include "section_steps.h"
 
 namespace crossloft::section_steps {
@@ -108,6 +109,19 @@ std::optional<LatticePoint> target(const SectionGraph& graph, LatticePointStore&
   return best;
 }
 
+/// A vertex far off its plane in the file may lie on another plane there that it is not near any more: the
+/// way to the line of both is long then, and can lead out of the arrangement.
+bool is_within(const LatticeBox& box, const LatticePoint& point) {
+  constexpr double kRounding = 2;
+  for (int k = 0; k < 3; ++k) {
+    const auto axis = static_cast<std::size_t>(k);
+    if (!(point[k] > static_cast<double>(box.lower[axis]) + kRounding &&
+          point[k] < static_cast<double>(box.upper[axis]) - kRounding))
+      return false;
+  }
+  return true;
+}
+
 /// A vertex near the interior of a wall of the same plane.
 struct Touch {
   std::uint32_t wall = 0, vertex = 0;
@@ -197,6 +211,7 @@ bool join_touching(SectionGraph& graph, double tolerance, const Context& context
 
 void move_onto_lines(SectionGraph& graph, const FramedSections& framed, LatticePointStore& store,
                      double tolerance) {
+  const LatticeBox box = data_box(framed);
   std::vector<std::uint32_t> near;
   std::uint32_t base = 0;
   for (std::uint32_t i = 0; i < graph.planes.size(); ++i) {
@@ -219,7 +234,8 @@ void move_onto_lines(SectionGraph& graph, const FramedSections& framed, LatticeP
           std::all_of(near.begin(), near.end(), [&](auto j) { return graph.sign(v, j) == 0; });
       if (all_exact) ++graph.statistics.on_line;
       if (all_exact) continue;
-      if (const auto point = target(graph, store, i, v, near, shortest[v] / 4)) {
+      const auto point = target(graph, store, i, v, near, shortest[v] / 4);
+      if (point && is_within(box, *point)) {
         graph.move(v, *point);
         ++graph.statistics.on_line;
       }

@@ -24,8 +24,8 @@ bool join_touching(SectionGraph& graph, double tolerance, const Context& context
 
 /// On: a contour vertex within `tolerance` of another plane, measured on the input coordinates, is a crossing
 /// that the slicer wrote; it moves onto the common line, or onto the arrangement vertex of two such lines.
-/// Not if the way is longer than a quarter of its shorter edge. REQUIRES: vertices numbered as start() left
-/// them.
+/// Not if the way is longer than a quarter of its shorter edge or leads out of data_box(). REQUIRES: vertices
+/// numbered as start() left them.
 void move_onto_lines(SectionGraph& graph, const FramedSections& framed, LatticePointStore& store,
                      double tolerance);
 
