@@ -18,17 +18,13 @@ void check_case(const char* name, const Options& options = {}) {
 
 }  // namespace
 
-TEST_CASE(
-    "a contour that touches another's edge where the edge is bent by rounding: its piece was no Delaunay "
-    "edge") {
+TEST_CASE("a contour that touches another's edge where the edge is bent by rounding: its piece was no Delaunay edge") {
   check_case("touching_edge_a.contour");
   check_case("touching_edge_b.contour");
 }
 
-TEST_CASE(
-    "nearly parallel planes: a piece led to a corner crossed a further plane, and a vertex was looked up in "
-    "a face "
-    "it is not on") {
+TEST_CASE("nearly parallel planes: a piece led to a corner crossed a further plane, and a vertex was looked up in a face "
+          "it is not on") {
   check_case("near_parallel_corner.contour");
 }
 
@@ -36,8 +32,7 @@ TEST_CASE("nearly parallel planes: a piece that crossed a plane gave its face co
   check_case("near_parallel_labels.contour");
 }
 
-TEST_CASE(
-    "contours that touch along edges up to 1e-10 of the diagonal: the gap asked for millions of splits") {
+TEST_CASE("contours that touch along edges up to 1e-10 of the diagonal: the gap asked for millions of splits") {
   check_case("hair_gap_parallel.contour");
   check_case("hair_gap_triangle.contour");
 }
@@ -57,9 +52,7 @@ TEST_CASE("contours that snapping narrows to lines: nothing is left to put a box
                    "no contour is wide enough to be told from a line") == 1);
 }
 
-TEST_CASE(
-    "planes a hair apart: a vertex of their diagram was rounded far off its arc, which asked for 2^46 "
-    "samples") {
+TEST_CASE("planes a hair apart: a vertex of their diagram was rounded far off its arc, which asked for 2^46 samples") {
   Options options;
   options.mode = PruneMode::paper;
   options.branching.mode = Branching::all;
@@ -77,8 +70,6 @@ TEST_CASE("14,000 sizes from the origin: rounding made triangles cross, which ar
   CHECK(check_surface(r->surface).crossings == 0);
 }
 
-TEST_CASE(
-    "a vertex off its plane by a tenth of the solid: it was led out of the arrangement onto the line of "
-    "another plane") {
+TEST_CASE("a vertex off its plane by a tenth of the solid: it was led out of the arrangement onto another plane's line") {
   check_case("moved_out_of_the_box.contour");
 }
