@@ -260,34 +260,33 @@ std::uint32_t label_parts(const TetMesh& mesh, const std::vector<std::uint8_t>& 
   return parts;
 }
 
-DisjointSets join_bodies(const CellComplex& complex, const Ground& ground,
-                         const std::vector<std::uint8_t>& kept) {
-  std::vector<std::uint32_t> part;
-  const std::uint32_t parts = label_parts(complex.mesh, kept, part);
-  DisjointSets bodies(ground.size() + std::size_t{parts});
-  for (std::uint32_t g = 0; g < ground.size(); ++g) {
-    bodies.join(g, ground.part(g));
-    const std::uint32_t above = part[ground.facet(g).tet];
-    if (above != kNone) bodies.join(ground.size() + above, g);
-  }
-  return bodies;
-}
-
 }  // namespace
 
-std::vector<std::uint32_t> bodies_of_ground(const CellComplex& complex, const Ground& ground,
-                                            const std::vector<std::uint8_t>& kept) {
-  DisjointSets bodies = join_bodies(complex, ground, kept);
-  std::vector<std::uint32_t> body(ground.size());
-  for (std::uint32_t g = 0; g < body.size(); ++g) body[g] = bodies.find(g);
-  return body;
+CellBodies find_bodies(const CellComplex& complex, const Ground& ground,
+                       const std::vector<std::uint8_t>& kept) {
+  std::vector<std::uint32_t> part;
+  const std::uint32_t parts = label_parts(complex.mesh, kept, part);
+  DisjointSets sets(ground.size() + std::size_t{parts});
+  for (std::uint32_t g = 0; g < ground.size(); ++g) {
+    sets.join(g, ground.part(g));
+    const std::uint32_t above = part[ground.facet(g).tet];
+    if (above != kNone) sets.join(ground.size() + above, g);
+  }
+  CellBodies bodies{sets.count(), std::vector<std::uint32_t>(ground.size())};
+  for (std::uint32_t g = 0; g < ground.size(); ++g) bodies.of_ground[g] = sets.find(g);
+  return bodies;
 }
 
 CellTopology count_topology(const CellComplex& complex, const Ground& ground,
                             const std::vector<std::uint8_t>& kept) {
+  return count_topology(complex, ground, kept, find_bodies(complex, ground, kept));
+}
+
+CellTopology count_topology(const CellComplex& complex, const Ground& ground,
+                            const std::vector<std::uint8_t>& kept, const CellBodies& bodies) {
   CellTopology topology;
   topology.sections = ground.part_count();
-  topology.bodies = join_bodies(complex, ground, kept).count();
+  topology.bodies = bodies.count;
   CellSurface(complex, ground, kept).count(topology);
   return topology;
 }

@@ -36,11 +36,21 @@ struct CellTopology {
   friend bool operator==(const CellTopology&, const CellTopology&) = default;
 };
 
+/// Connected parts of solid and ground.
+struct CellBodies {
+  std::uint32_t count = 0;
+  std::vector<std::uint32_t> of_ground;  ///< by ground triangle: the smallest one of its body
+};
+
+/// O(n).
+CellBodies find_bodies(const CellComplex& complex, const Ground& ground,
+                       const std::vector<std::uint8_t>& kept);
+
 /// O(n + degrees of edges on S). REQUIRES: kept.size() == complex.mesh.size().
 CellTopology count_topology(const CellComplex& complex, const Ground& ground,
                             const std::vector<std::uint8_t>& kept);
-/// By ground triangle: a number that those of the same body have in common.
-std::vector<std::uint32_t> bodies_of_ground(const CellComplex& complex, const Ground& ground,
-                                            const std::vector<std::uint8_t>& kept);
+/// The same if the bodies are known.
+CellTopology count_topology(const CellComplex& complex, const Ground& ground,
+                            const std::vector<std::uint8_t>& kept, const CellBodies& bodies);
 
 }  // namespace crossloft

@@ -38,11 +38,11 @@ class NaturalPruning {
     result.kept = cheapest_solid(complex_, shape_, r1, confidence_, weights);
     result.r2 = static_cast<std::uint32_t>(std::count(result.kept.begin(), result.kept.end(), 1));
     NaturalReport& report = result.report;
-    report.before = report.after = count_topology(complex_, ground_, result.kept);
+    const CellBodies bodies = find_bodies(complex_, ground_, result.kept);
+    report.before = report.after = count_topology(complex_, ground_, result.kept, bodies);
     if (report.before.bodies < report.before.sections)
-      report.joins =
-          find_widest_ways(complex_, ground_, result.kept, bodies_of_ground(complex_, ground_, result.kept),
-                           [&](std::uint32_t t) { return confidence_of(t); });
+      report.joins = find_widest_ways(complex_, ground_, result.kept, bodies.of_ground,
+                                      [&](std::uint32_t t) { return confidence_of(t); });
     const bool good = is_good(report, result.kept), doubts = may_doubt();
     if (!good || doubts || !requests_.joined.empty() || !requests_.questions.empty()) measure_all(r1);
     const std::vector<std::uint8_t> cheapest = doubts ? result.kept : std::vector<std::uint8_t>{};

@@ -5,6 +5,7 @@
 
 #include "../prune/star.h"
 #include "grounded_table.h"
+#include "rising_search.h"
 
 namespace crossloft {
 
@@ -68,20 +69,13 @@ void CellBuilder::sort_vertices(const CellTriangulation& triangulation) {
     for (std::uint32_t& v : tet) v = place[v];
 }
 
-/// The vertices of a face come in order, but for what was added: mostly the next one is near.
 void CellBuilder::number_faces() {
-  const std::vector<std::uint32_t>& all = cell_.vertices;
   for (const CellFace& face : faces_) {
     std::vector<std::uint32_t>& numbers = numbers_.emplace_back();
     numbers.reserve(face.numbers.size());
-    auto at = all.begin();
-    for (const std::uint32_t v : face.numbers) {
-      if (at == all.end() || *at > v) at = all.begin();
-      std::ptrdiff_t step = 1;
-      while (all.end() - at > step && at[step] < v) at += step, step *= 2;
-      at = std::lower_bound(at, at + std::min(step + 1, all.end() - at), v);
-      numbers.push_back(static_cast<std::uint32_t>(at - all.begin()));
-    }
+    RisingSearch search(cell_.vertices);
+    for (const std::uint32_t v : face.numbers)
+      numbers.push_back(static_cast<std::uint32_t>(search.lower_bound(v)));
   }
 }
 

@@ -4,9 +4,24 @@
 #include <chrono>
 
 #include "../geom/disjoint_sets.h"
+#include "rising_search.h"
 #include "self_check.h"
 
 namespace crossloft {
+namespace {
+
+/// REQUIRES: `sorted` ascending. Most faces have their vertices in order, and then those that were added.
+void merge_into(std::vector<std::uint32_t>& sorted, std::span<const std::uint32_t> numbers) {
+  const auto size = static_cast<std::ptrdiff_t>(sorted.size());
+  sorted.insert(sorted.end(), numbers.begin(), numbers.end());
+  const auto middle = sorted.begin() + size;
+  const auto added = std::is_sorted_until(middle, sorted.end());
+  std::sort(added, sorted.end());
+  std::inplace_merge(middle, added, sorted.end());
+  std::inplace_merge(sorted.begin(), middle, sorted.end());
+}
+
+}  // namespace
 
 bool CellPredicates::collinear(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
   int shared = 0;
@@ -19,8 +34,7 @@ Result<Done> CellTriangulation::add(std::span<const CellFace> faces, std::span<c
   const auto begin = std::chrono::steady_clock::now();
   std::vector<std::uint32_t> known = vertices_.numbers, wanted, added;
   std::sort(known.begin(), known.end());
-  for (const CellFace& face : faces) wanted.insert(wanted.end(), face.numbers.begin(), face.numbers.end());
-  std::sort(wanted.begin(), wanted.end());
+  for (const CellFace& face : faces) merge_into(wanted, face.numbers);
   wanted.erase(std::unique(wanted.begin(), wanted.end()), wanted.end());
   std::set_difference(wanted.begin(), wanted.end(), known.begin(), known.end(), std::back_inserter(added));
   const std::uint32_t first = vertices_.size();
@@ -29,13 +43,15 @@ Result<Done> CellTriangulation::add(std::span<const CellFace> faces, std::span<c
     vertices_.points.push_back(points[number]);
   }
   vertices_.face_masks.resize(vertices_.numbers.size() * vertices_.words, 0);
-  for (std::size_t f = 0; f < faces.size(); ++f)
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    RisingSearch search(added);
     for (const std::uint32_t number : faces[f].numbers) {
-      const auto at = std::lower_bound(added.begin(), added.end(), number);
-      if (at == added.end() || *at != number) continue;
-      const auto v = first + static_cast<std::size_t>(at - added.begin());
+      const std::size_t at = search.lower_bound(number);
+      if (at == added.size() || added[at] != number) continue;
+      const auto v = first + at;
       vertices_.face_masks[v * vertices_.words + f / 64] |= std::uint64_t{1} << (f % 64);
     }
+  }
   predicates_.see_vertices();
   if (first == 0)
     delaunay_.build();

@@ -72,15 +72,15 @@ FacetBuckets fill_buckets(Tets tets, std::span<const std::uint32_t> facets) {
   return buckets;
 }
 
-/// Tetrahedra that are worked on together, one block a task: near each other, as they come cell by cell.
+/// Triangles that are worked on together, one block a task: near each other, as they come cell by cell.
 constexpr std::uint32_t kBlock = 1U << 13;
 
-/// Calls work(first, last) for each block of tetrahedra.
+/// Calls work(first, last) for each block of triangles.
 template <class Work>
-bool for_blocks(std::size_t tets, const Context& context, Work&& work) {
-  return parallel_for((tets + kBlock - 1) / kBlock, context, "gluing", [&](std::size_t b) {
+bool for_blocks(std::size_t triangles, const Context& context, Work&& work) {
+  return parallel_for((triangles + kBlock - 1) / kBlock, context, "gluing", [&](std::size_t b) {
     work(static_cast<std::uint32_t>(b * kBlock),
-         static_cast<std::uint32_t>(std::min(tets, (b + 1) * kBlock)));
+         static_cast<std::uint32_t>(std::min(triangles, (b + 1) * kBlock)));
   });
 }
 
@@ -143,48 +143,32 @@ std::vector<std::uint32_t> all_partners(Tets tets) {
   return all.partner;
 }
 
-/// What `partner` says of a boundary facet, once there are triangles: its triangle, marked.
+/// What `partner` says of a boundary facet: its number in the order of the facets, marked.
 constexpr std::uint32_t kBoundaryMark = 1U << 31;
 bool is_boundary(std::uint32_t partner) { return (partner & kBoundaryMark) != 0; }
 
-/// Calls visit(facet, triangle with its smallest vertex first) for what has no partner.
-template <class Visit>
-void for_boundary(Tets tets, const std::vector<std::uint32_t>& partner, Visit visit) {
-  for (std::uint32_t f = 0; f < partner.size(); ++f)
-    if (partner[f] == kNone) visit(f, rotated(outward(tets, f)));
-}
+/// The boundary in the order of its facets, that is of the cells: neighbours are near each other. Triangles
+/// with their smallest vertex first.
+struct BoundaryFacets {
+  std::vector<Triple> triangles;
+  std::vector<std::uint32_t> facets;
+};
 
-/// The boundary's triangles, sorted: by their first vertex in linear time, then the few that have the same
-/// one.
-void collect_boundary(Tets tets, std::vector<std::uint32_t>& partner, PairedBoundary& boundary) {
-  std::vector<std::uint32_t> begin;  // by first vertex
-  for_boundary(tets, partner, [&](std::uint32_t, const Triple& t) {
-    if (t[0] + std::size_t{1} >= begin.size()) begin.resize(t[0] + t[0] / 2 + std::size_t{2}, 0);
-    ++begin[t[0] + std::size_t{1}];
-  });
-  std::partial_sum(begin.begin(), begin.end(), begin.begin());
-  struct Entry {
-    std::uint32_t second, third, facet;
-    bool operator<(const Entry& o) const { return second != o.second ? second < o.second : third < o.third; }
-  };
-  std::vector<Entry> found(begin.empty() ? 0 : begin.back());
-  for_boundary(tets, partner, [&](std::uint32_t f, const Triple& t) {
-    found[begin[t[0]]++] = {t[1], t[2], f};
-  });
-  // Now begin[v] is where those of v end.
-  boundary.triangles.reserve(found.size());
-  boundary.facets.reserve(found.size());
-  for (std::uint32_t v = 0, first = 0; first < found.size(); first = begin[v++]) {
-    std::sort(found.begin() + first, found.begin() + begin[v]);
-    for (std::uint32_t k = first; k < begin[v]; ++k) {
-      partner[found[k].facet] = kBoundaryMark | k;
-      boundary.triangles.push_back({v, found[k].second, found[k].third});
-      boundary.facets.push_back(found[k].facet);
-    }
+BoundaryFacets mark_boundary(Tets tets, std::vector<std::uint32_t>& partner) {
+  BoundaryFacets boundary;
+  const auto count = static_cast<std::size_t>(std::count(partner.begin(), partner.end(), kNone));
+  boundary.triangles.reserve(count);
+  boundary.facets.reserve(count);
+  for (std::uint32_t f = 0; f < partner.size(); ++f) {
+    if (partner[f] != kNone) continue;
+    partner[f] = kBoundaryMark | static_cast<std::uint32_t>(boundary.facets.size());
+    boundary.triangles.push_back(rotated(outward(tets, f)));
+    boundary.facets.push_back(f);
   }
+  return boundary;
 }
 
-/// The boundary triangle at the other end of the solid wedge at an edge of a facet, the one without the
+/// The boundary facet at the other end of the solid wedge at an edge of a facet, the one without the
 /// vertex `stays`: from facet to facet around the edge, through the tetrahedra between them.
 std::uint32_t across_wedge(Tets tets, const std::vector<std::uint32_t>& partner, std::uint32_t facet,
                            std::uint32_t stays) {
@@ -202,28 +186,69 @@ std::uint32_t across_wedge(Tets tets, const std::vector<std::uint32_t>& partner,
 /// corner i.
 std::uint32_t next_corner(std::uint32_t corner) { return corner % 3 == 2 ? corner - 2 : corner + 1; }
 
-/// mate[s] = the side paired with side s. In the order of the tetrahedra: walking around edges in the order
-/// of the triangles would jump from cell to cell. Whoever comes first to one of two sides tells both.
+/// mate[s] = the side paired with side s, in the order of the facets. Whoever comes first to one of two sides
+/// tells both.
 std::vector<std::uint32_t> pair_sides(Tets tets, const std::vector<std::uint32_t>& partner,
-                                      std::span<const Triple> triangles, const Context& context) {
+                                      const BoundaryFacets& boundary, const Context& context) {
+  const std::vector<Triple>& triangles = boundary.triangles;
   std::vector<std::uint32_t> mate(3 * triangles.size(), kNone);
   const auto at = [&](std::uint32_t side) { return std::atomic_ref<std::uint32_t>(mate[side]); };
-  const auto pair = [&](std::uint32_t facet, std::uint32_t side) {
+  const auto pair = [&](std::uint32_t side) {
     if (at(side).load(std::memory_order_relaxed) != kNone) return;
     const Triple& triangle = triangles[side / 3];
     const std::uint32_t end = triangle[(side + 1) % 3];
-    const std::uint32_t other = across_wedge(tets, partner, facet, triangle[(side + 2) % 3]);
+    const std::uint32_t other =
+        across_wedge(tets, partner, boundary.facets[side / 3], triangle[(side + 2) % 3]);
     const Triple& met = triangles[other];
     const std::uint32_t found = 3 * other + (met[0] == end ? 0U : met[1] == end ? 1U : 2U);
     at(side).store(found, std::memory_order_relaxed);
     at(found).store(side, std::memory_order_relaxed);
   };
-  for_blocks(tets.size(), context, [&](std::uint32_t first, std::uint32_t last) {
-    for (std::uint32_t f = 4 * first; f < 4 * last; ++f)
-      for (std::uint32_t i = 0; i < 3 && is_boundary(partner[f]); ++i)
-        pair(f, 3 * (partner[f] & ~kBoundaryMark) + i);
+  for_blocks(triangles.size(), context, [&](std::uint32_t first, std::uint32_t last) {
+    for (std::uint32_t side = 3 * first; side < 3 * last; ++side) pair(side);
   });
   return mate;
+}
+
+/// The places of the triangles when they are sorted: by their first vertex in linear time, then the few that
+/// have the same one.
+std::vector<std::uint32_t> sorted_places(const std::vector<Triple>& triangles) {
+  std::uint32_t vertex_count = 0;
+  for (const Triple& t : triangles) vertex_count = std::max(vertex_count, t[0] + 1);
+  std::vector<std::uint32_t> begin(vertex_count + std::size_t{1}, 0);
+  for (const Triple& t : triangles) ++begin[t[0] + std::size_t{1}];
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  struct Entry {
+    std::uint32_t second, third, number;
+    bool operator<(const Entry& o) const { return second != o.second ? second < o.second : third < o.third; }
+  };
+  std::vector<Entry> found(triangles.size());
+  for (std::uint32_t t = 0; t < triangles.size(); ++t)
+    found[begin[triangles[t][0]]++] = {triangles[t][1], triangles[t][2], t};
+  // Now begin[v] is where those of v end.
+  std::vector<std::uint32_t> place(triangles.size());
+  for (std::uint32_t v = 0, first = 0; first < found.size(); first = begin[v++]) {
+    std::sort(found.begin() + first, found.begin() + begin[v]);
+    for (std::uint32_t k = first; k < begin[v]; ++k) place[found[k].number] = k;
+  }
+  return place;
+}
+
+PairedBoundary sorted(const BoundaryFacets& boundary, const std::vector<std::uint32_t>& mate) {
+  const std::vector<std::uint32_t> place = sorted_places(boundary.triangles);
+  PairedBoundary result;
+  result.triangles.resize(place.size());
+  result.facets.resize(place.size());
+  result.mate.resize(mate.size());
+  for (std::uint32_t t = 0; t < place.size(); ++t) {
+    result.triangles[place[t]] = boundary.triangles[t];
+    result.facets[place[t]] = boundary.facets[t];
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      const std::uint32_t other = mate[3 * t + i];
+      result.mate[3 * place[t] + i] = 3 * place[other / 3] + other % 3;
+    }
+  }
+  return result;
 }
 
 /// A side by the two ends that it joins, the smaller one first.
@@ -438,11 +463,11 @@ Result<PairedBoundary> pair_boundary(Tets tets, KnownFacets known, const Context
   });
   if (!good) return good.error();
   if (context.cancelled()) return failure(ErrorCode::cancelled, "cancelled");
-  PairedBoundary boundary;
-  collect_boundary(tets, partner, boundary);
-  boundary.mate = pair_sides(tets, partner, boundary.triangles, context);
+  const BoundaryFacets boundary = mark_boundary(tets, partner);
+  const std::vector<std::uint32_t> mate = pair_sides(tets, partner, boundary, context);
   if (context.cancelled()) return failure(ErrorCode::cancelled, "cancelled");
-  return boundary;
+  partner = {};
+  return sorted(boundary, mate);
 }
 
 GluedSurface cut_apart(const PairedBoundary& boundary) {

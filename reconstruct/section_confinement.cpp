@@ -3,13 +3,28 @@
 #include <algorithm>
 
 namespace crossloft {
+namespace {
+
+/// By number: whether there are copies of the vertex, or a midpoint of an edge at it. Copies stand together.
+std::vector<std::uint8_t> points_of_copies(const GluedSurface& surface, std::size_t points) {
+  std::vector<std::uint8_t> is_one(points, 0);
+  for (std::size_t i = 0; i < surface.vertices.size(); ++i) {
+    const SurfaceVertex& v = surface.vertices[i];
+    if (v.is_midpoint()) is_one[v.a] = is_one[v.b] = 1;
+    if (i > 0 && surface.vertices[i - 1] == v) is_one[v.a] = 1;
+  }
+  return is_one;
+}
+
+}  // namespace
 
 SectionConfinement::SectionConfinement(const SectionGraph& graph, std::span<const FaceTriangulation> faces,
                                        const Numbering& numbering, const WorldGrid& grid,
                                        const GluedSurface& surface)
     : graph_(graph), numbering_(numbering), grid_(grid), surface_(surface) {
+  const std::vector<std::uint8_t> is_copied = points_of_copies(surface, numbering.points.size());
   const auto add = [&](std::uint32_t a, std::uint32_t b) {
-    contour_edges_.push_back({std::min(a, b), std::max(a, b)});
+    if ((is_copied[a] | is_copied[b]) != 0) contour_edges_.push_back({std::min(a, b), std::max(a, b)});
   };
   for (std::size_t f = 0; f < faces.size(); ++f)
     for (const Wall& w : faces[f].walls) add(numbering.of_face[f][w.a], numbering.of_face[f][w.b]);

@@ -110,7 +110,7 @@ TEST_CASE("random cells: the widest ways are the joins, found with fewer confide
       confidence.push_back(static_cast<std::int32_t>(random() % values));
     std::vector<std::uint32_t> times(kept.size(), 0);
     const std::vector<Join> joins =
-        find_widest_ways(cell, ground, kept, bodies_of_ground(cell, ground, kept), [&](std::uint32_t t) {
+        find_widest_ways(cell, ground, kept, find_bodies(cell, ground, kept).of_ground, [&](std::uint32_t t) {
           ++times[t];
           return confidence[t];
         });
