@@ -52,9 +52,17 @@ bool is_before(const Tet& t, const Tet& u) {
 /// First vertices that are told apart together: their tetrahedra, some four of each, stay in a cache.
 constexpr unsigned kBlockBits = 10;
 
-/// In place. By blocks of first vertices, then by first vertices, then the few of each by the rest: straight
-/// away by first vertices each step would be a miss of the cache, which took twice as long.
+Vec3 unit_normal(const LatticeVector& n) {
+  const Vec3 v{static_cast<double>(n[0]), static_cast<double>(n[1]), static_cast<double>(n[2])};
+  return (1 / norm(v)) * v;
+}
+
+}  // namespace
+
+/// By blocks of first vertices, then by first vertices, then the few of each by the rest: straight away by
+/// first vertices each step would be a miss of the cache, which took twice as long.
 void sort_tets(std::span<Tet> tets, std::size_t vertices, const Context& context) {
+  for (Tet& t : tets) t = canonical(t);
   const std::size_t blocks = (vertices >> kBlockBits) + 1, size = std::size_t{1} << kBlockBits;
   const auto begin = group(tets, blocks, [](const Tet& t) { return t[0] >> kBlockBits; });
   parallel_for(blocks, context, "gluing", [&](std::size_t b) {
@@ -65,29 +73,19 @@ void sort_tets(std::span<Tet> tets, std::size_t vertices, const Context& context
   });
 }
 
-Vec3 unit_normal(const LatticeVector& n) {
-  const Vec3 v{static_cast<double>(n[0]), static_cast<double>(n[1]), static_cast<double>(n[2])};
-  return (1 / norm(v)) * v;
-}
-
-}  // namespace
-
-Solid assemble_solid(std::vector<std::array<std::uint32_t, 4>>& tets, const Numbering& numbering,
-                     const WorldGrid& grid, const Context& context) {
-  for (auto& t : tets) t = canonical(t);
-  sort_tets(tets, numbering.points.size(), context);
+Solid assemble_solid(std::vector<Tet> tets, const Numbering& numbering, const WorldGrid& grid) {
   std::vector<std::uint32_t> number(numbering.points.size(), kNone);
-  for (const auto& t : tets)
+  for (const Tet& t : tets)
     for (const std::uint32_t v : t) number[v] = 0;
   Solid solid;
   solid.points.reserve(static_cast<std::size_t>(std::count(number.begin(), number.end(), 0u)));
-  solid.tets.reserve(tets.size());
   for (std::size_t v = 0; v < number.size(); ++v) {
     if (number[v] == kNone) continue;
     number[v] = static_cast<std::uint32_t>(solid.points.size());
     solid.points.push_back(grid.from_lattice(numbering.points[v]));
   }
-  for (const auto& t : tets) solid.tets.push_back({number[t[0]], number[t[1]], number[t[2]], number[t[3]]});
+  solid.tets = std::move(tets);
+  for (Tet& t : solid.tets) t = {number[t[0]], number[t[1]], number[t[2]], number[t[3]]};
   return solid;
 }
 

@@ -13,10 +13,12 @@
 
 namespace crossloft {
 
-/// Sorts the tetrahedra (each keeps its orientation) and numbers the vertices they use. O(n log k) for k
-/// tetrahedra of one vertex. Of no use if the context has been cancelled.
-Solid assemble_solid(std::vector<std::array<std::uint32_t, 4>>& tets, const Numbering& numbering,
-                     const WorldGrid& grid, const Context& context);
+/// Into their canonical order, each with its smallest vertex first and the second smallest next; orientations
+/// stay. O(n log k) for k tetrahedra of one vertex. Of no use if the context has been cancelled.
+void sort_tets(std::span<std::array<std::uint32_t, 4>> tets, std::size_t vertices, const Context& context);
+/// Numbers the vertices that the tetrahedra use. REQUIRES: tetrahedra sorted.
+Solid assemble_solid(std::vector<std::array<std::uint32_t, 4>> tets, const Numbering& numbering,
+                     const WorldGrid& grid);
 Surface assemble_surface(const GluedSurface& glued, const Numbering& numbering, const WorldGrid& grid);
 /// The sections as the solid meets them: snapped, merged, split; planes in canonical order with unit normals.
 Sections assemble_sections(const FramedSections& framed, const SectionGraph& graph,

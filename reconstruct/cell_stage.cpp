@@ -314,23 +314,10 @@ Result<Done> Pipeline::fill_cells() {
 
 /// Out of the cells, with what they know if it is still to be glued.
 void Pipeline::take_tets() {
-  if (!glued_) {
-    SolidInCells solid = solid_in_cells();
-    tets_ = std::move(solid.tets);
-    known_ = std::move(solid.known);
-    return;
-  }
-  std::size_t count = roof_tets_.size();
-  for (CellState& cell : cells_) {
-    cell.partners = {};
-    count += cell.tets.size() + cell.bridge_tets.size();
-  }
-  tets_.reserve(count);
-  for (CellState& cell : cells_)
-    for (auto* list : {&cell.tets, &cell.bridge_tets}) {
-      tets_.insert(tets_.end(), list->begin(), list->end());
-      *list = {};
-    }
+  if (glued_ && !tets_.empty()) return;
+  SolidInCells solid = take_solid();
+  tets_ = std::move(solid.tets);
+  if (!glued_) known_ = std::move(solid.known);
 }
 
 void Pipeline::finish_cells() {

@@ -23,8 +23,9 @@ struct Anywhere : Confinement {
 
 }  // namespace
 
-/// Two cells meet in the triangles of their common face, each of which has a facet on either side.
-SolidInCells Pipeline::solid_in_cells() const {
+/// Two cells meet in the triangles of their common face, each of which has a facet on either side. Cells keep
+/// what they know of their facets, and where their tetrahedra are: they may have to have them back.
+SolidInCells Pipeline::take_solid() {
   SolidInCells solid;
   std::size_t count = 0, triangles = 0;
   for (const CellState& cell : cells_) count += cell.tets.size() + cell.bridge_tets.size();
@@ -37,9 +38,12 @@ SolidInCells Pipeline::solid_in_cells() const {
   }
   std::vector<std::uint32_t> first(triangles, kNone);  // by triangle: the facet on it that came first
   for (std::uint32_t c = 0; c < cells_.size(); ++c) {
-    const CellState& cell = cells_[c];
-    const auto base = static_cast<std::uint32_t>(4 * solid.tets.size());
+    CellState& cell = cells_[c];
+    cell.first_tet = static_cast<std::uint32_t>(solid.tets.size());
+    cell.tet_count = static_cast<std::uint32_t>(cell.tets.size());
+    const std::uint32_t base = 4 * cell.first_tet;
     solid.tets.insert(solid.tets.end(), cell.tets.begin(), cell.tets.end());
+    cell.tets = {};
     solid.known.partner.resize(4 * solid.tets.size(), kNone);
     std::uint32_t* partner = solid.known.partner.data() + base;
     for (const auto& facets : cell.partners)
@@ -60,15 +64,27 @@ SolidInCells Pipeline::solid_in_cells() const {
   return solid;
 }
 
+/// Cells that have been pruned again have theirs already.
+void Pipeline::give_tets_back() {
+  if (tets_.empty()) return;
+  for (CellState& cell : cells_) {
+    const auto first = tets_.begin() + cell.first_tet;
+    if (cell.tets.empty()) cell.tets.assign(first, first + cell.tet_count);
+  }
+  tets_ = {};
+}
+
 Result<Done> Pipeline::glue_cells() {
   if (!glued_) {
     auto made = glue(tets_, std::move(known_), context_);
     if (!made) return made.error();
     glued_ = std::make_unique<GluedSurface>(std::move(made).value());
   }
-  // Puts tets_ into another order: what was known of their facets is of no use from here on.
-  result_.solid = assemble_solid(tets_, numbering_, framed_.grid, context_);
+  // Another order: what was known of their facets is of no use from here on.
+  sort_tets(tets_, numbering_.points.size(), context_);
   if (context_.cancelled()) return cancelled();
+  if (observer_) observer_->on_solid(tets_, numbering_);
+  result_.solid = assemble_solid(std::move(tets_), numbering_, framed_.grid);
   const GluedSurface* const glued = glued_.get();
   const auto good = self_check("gluing", [&] {
     const auto count = static_cast<std::uint32_t>(glued->vertices.size());
@@ -76,7 +92,6 @@ Result<Done> Pipeline::glue_cells() {
   });
   if (!good) return good.error();
   result_.surface = assemble_surface(*glued, numbering_, framed_.grid);
-  if (observer_) observer_->on_solid(tets_, numbering_);
   Report& report = result_.report;
   report.volume = enclosed_volume(result_.surface);
   mend(*glued);

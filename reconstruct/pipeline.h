@@ -51,6 +51,7 @@ struct Piece {
 struct CellState {
   std::unique_ptr<CellTriangulation> triangulation;  ///< kept only while samples may come
   std::vector<std::array<std::uint32_t, 4>> tets;    ///< kept ones, by final vertex numbers
+  std::uint32_t first_tet = 0, tet_count = 0;        ///< where they are in Pipeline::tets_, if they are there
   /// In step: the facet glued to each of its facets, as 4 * position of its tetrahedron + slot; kNone
   /// elsewhere
   std::vector<std::array<std::uint32_t, 4>> partners;
@@ -104,7 +105,8 @@ class Pipeline {
   void take_roofs(std::vector<CellRoofs> roofs);
   // glue_stage.cpp
   Result<Done> glue_cells();
-  SolidInCells solid_in_cells() const;
+  SolidInCells take_solid();
+  void give_tets_back();
 
   Result<Done> check_options() const;
   Result<Done> check_input() const;
@@ -174,7 +176,7 @@ class Pipeline {
   std::unique_ptr<LazySectionField> field_;  ///< mode natural
   std::vector<CellState> cells_;             ///< by cell of the arrangement
   bool samples_may_come_ = false;            ///< cells are pruned to see where branching samples are wanted
-  std::vector<std::array<std::uint32_t, 4>> tets_;
+  std::vector<std::array<std::uint32_t, 4>> tets_;       ///< of the solid, taken out of the cells
   KnownFacets known_;                                    ///< of tets_, unless they have been glued
   std::vector<std::array<std::uint32_t, 4>> roof_tets_;  ///< of flat regions
   Reconstruction result_;

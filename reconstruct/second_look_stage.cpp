@@ -123,21 +123,20 @@ void tell_pieces(std::uint32_t cell, const TetName& tet, std::span<PieceFacet> f
   }
 }
 
-/// The solid has the tetrahedra of the cells and their bridges, cell by cell; cells don't know of their
-/// bridges.
-void find_cells(std::span<const CellState> cells, std::vector<PieceFacet>& facets,
-                std::vector<Piece>& pieces) {
-  std::size_t begin = 0, next = 0;  // tetrahedron of the solid, facet
+/// `solid` has the tetrahedra of the cells, each time followed by bridges, which cells don't know of.
+void find_cells(std::span<const CellState> cells, std::span<const TetName> solid,
+                std::vector<PieceFacet>& facets, std::vector<Piece>& pieces) {
+  std::size_t next = 0;  // facet
+  const auto tet_of = [&](std::size_t facet) { return facets[facet].number / 4; };
   for (std::uint32_t c = 0; c < cells.size(); ++c) {
-    const auto& tets = cells[c].tets;
-    const std::size_t end = begin + tets.size() + cells[c].bridge_tets.size();
-    while (next < facets.size() && facets[next].number / 4 < end) {
-      const std::size_t first = next, tet = facets[first].number / 4;
-      while (next < facets.size() && facets[next].number / 4 == tet) ++next;
-      if (tet - begin < tets.size())
-        tell_pieces(c, tets[tet - begin], {facets.data() + first, next - first}, pieces);
+    while (next < facets.size() && tet_of(next) < cells[c].first_tet) ++next;  // of bridges
+    const std::uint32_t end = cells[c].first_tet + cells[c].tet_count;
+    while (next < facets.size() && tet_of(next) < end) {
+      const std::size_t first = next;
+      const std::uint32_t tet = tet_of(first);
+      while (next < facets.size() && tet_of(next) == tet) ++next;
+      tell_pieces(c, solid[tet], {facets.data() + first, next - first}, pieces);
     }
-    begin = end;
   }
 }
 
@@ -308,17 +307,17 @@ void request_openings(const ToldOfAll& told, std::span<const FaceTriangulation> 
 
 /// What of the solid so far the cells are to be asked about.
 Result<std::vector<Piece>> Pipeline::find_pieces() {
-  SolidInCells solid = solid_in_cells();
-  if (solid.tets.empty()) return std::vector<Piece>{};
-  const auto boundary = pair_boundary(solid.tets, std::move(solid.known), context_);
+  SolidInCells solid = take_solid();
+  tets_ = std::move(solid.tets);
+  if (tets_.empty()) return std::vector<Piece>{};
+  const auto boundary = pair_boundary(tets_, std::move(solid.known), context_);
   if (!boundary) return boundary.error();
-  solid.tets = {};
   glued_ = std::make_unique<GluedSurface>(cut_apart(*boundary));
   SurfacePieces found(*glued_, numbering_.points);
   std::vector<Piece> pieces = found.take();
   if (pieces.empty()) return pieces;
   std::vector<PieceFacet> facets = found.facets(*boundary);
-  find_cells(cells_, facets, pieces);
+  find_cells(cells_, tets_, facets, pieces);
   find_bare_cells(faces_, numbering_, *arrangement_, cavity_triangles(facets, pieces), pieces);
   const bool forbids =
       std::any_of(options_.joins.begin(), options_.joins.end(), [](const auto& j) { return !j.join; });
@@ -346,8 +345,12 @@ Result<Done> Pipeline::look_again() {
     cell.due = !cell.asked.joined.empty() || !cell.asked.opened.empty();
     changes |= cell.due;
   }
-  if (!changes) return Done{};
+  if (!changes) {
+    for (CellState& cell : cells_) cell.tets = {};  // those that were asked: they have not changed
+    return Done{};
+  }
   glued_.reset();
+  give_tets_back();
   remove_bridges();
   if (auto done = prune_due_cells(); !done) return done;
   build_bridges();

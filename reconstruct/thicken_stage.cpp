@@ -119,6 +119,7 @@ void Pipeline::take_roofs(std::vector<CellRoofs> roofs) {
 
 /// On the positive side of each plane, and what does not fit there on the other.
 Result<Done> Pipeline::thicken() {
+  give_tets_back();
   std::vector<std::vector<std::uint8_t>> was_flat(faces_.size());
   for (std::size_t f = 0; f < faces_.size(); ++f)
     for (std::size_t t = 0; t < faces_[f].triangles.size(); ++t)
