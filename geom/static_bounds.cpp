@@ -50,8 +50,9 @@ double volume(const Estimate& e) { return e.x * e.y * e.z; }
 /// Narrows `scale`, a power of two, until it makes v an integer; false if that takes it out of 2^+-100 or
 /// makes the largest coordinate more than 2^50.
 bool include_in_scale(double v, double largest, double& scale) {
-  const auto is_integer = [&] { return small_integers::distance_to_integer(v * scale) == 0; };
-  if (is_integer()) return true;
+  const double scaled = v * scale;
+  const bool vanishes = scaled == 0 && v != 0;  // below the range of doubles: no integer
+  if (!vanishes && small_integers::distance_to_integer(scaled) == 0) return true;
   const int exponent = aligned::parts_of(v).exponent - 1075;
   if (exponent > 100 || exponent < -100) return false;
   scale = std::bit_cast<double>(static_cast<std::uint64_t>(1023 - exponent) << 52);

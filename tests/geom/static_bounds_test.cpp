@@ -127,6 +127,18 @@ TEST_CASE("doubles: cubes, flat and tiny boxes, far from the origin, all exponen
   check_set(sphere, 1000, doubles);
 }
 
+TEST_CASE("a small grid with coordinates that vanish where they are scaled are no multiples of its unit") {
+  Doubles doubles(kSeed + 4);
+  for (const double tiny : {0x1p-1074, 0x1p-1022, 0x1p-980, 0x1p-130}) {
+    std::vector<Vec3> points;
+    for (int i = 0; i < 27; ++i)
+      points.push_back(
+          {i % 3 == 2 ? tiny : i % 3, static_cast<double>(i / 3 % 3), static_cast<double>(i / 9)});
+    CHECK(static_bounds(std::span<const Vec3>(points)).scale == 0);
+    check_set(points, 1000, doubles);
+  }
+}
+
 TEST_CASE("rational lattice points among explicit ones") {
   samples::Generator generator(kSeed + 4);
   Doubles doubles(kSeed + 4);
