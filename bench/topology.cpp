@@ -2,8 +2,9 @@
 // sets of planes, all contour vertices kept, reconstructs in every mode and compares with the mesh that was
 // cut.
 //
-//   bench_topology [--seeds N] [--case TEXT] [--rays N] [--look-around] [--branching all|auto|off]
-//                 [--verbose] [MODE...]      default: 10 seeds, all cases, 128 rays, modes joint and natural
+//   bench_topology [--first N] [--seeds N] [--case TEXT] [--rays N] [--divide] [--look-around]
+//                 [--branching all|auto|off] [--verbose] [MODE...]      default: seeds 1 to 10, all cases,
+//                 128 rays, modes joint and natural
 //
 // A run is right if its genus (summed) and its number of surface components are those of the mesh. Per case
 // and mode: right runs, means of intersection over union and of the volume's error, the worst loss of IoU
@@ -68,7 +69,7 @@ struct Run {
 };
 
 struct Arguments {
-  std::uint64_t seeds = 10;
+  std::uint64_t first = 1, seeds = 10;
   std::uint32_t rays = 128;
   std::string only;
   bool verbose = false;
@@ -127,7 +128,7 @@ bool run_case(const bench::TopologyCase& c, const Arguments& arguments) {
   const Surface mesh = c.solid();
   const Shape truth = shape_of(mesh);
   std::vector<std::vector<Run>> runs(arguments.modes.size());
-  for (std::uint64_t seed = 1; seed <= arguments.seeds; ++seed) {
+  for (std::uint64_t seed = arguments.first; seed <= arguments.seeds; ++seed) {
     const auto sections = slice(mesh, c.planes(bounds_of(mesh.points), seed));
     if (!sections) return false;
     for (std::size_t m = 0; m < arguments.modes.size(); ++m) {
@@ -173,12 +174,16 @@ bool read_arguments(int count, char** words, Arguments& arguments) {
     const bool last = i + 1 == count;
     if (word == "--look-around") {
       arguments.options.natural.look_around = true;
+    } else if (word == "--divide") {
+      arguments.options.natural.divide = true;
     } else if (word == "--branching" && !last) {
       if (!read_branching(words[++i], arguments.options.branching.mode)) return false;
     } else if (word == "--verbose") {
       arguments.verbose = true;
     } else if (word == "--seeds" && !last) {
       arguments.seeds = std::strtoull(words[++i], nullptr, 10);
+    } else if (word == "--first" && !last) {
+      arguments.first = std::strtoull(words[++i], nullptr, 10);
     } else if (word == "--rays" && !last) {
       arguments.rays = static_cast<std::uint32_t>(std::strtoul(words[++i], nullptr, 10));
     } else if (word == "--case" && !last) {
@@ -197,9 +202,10 @@ bool read_arguments(int count, char** words, Arguments& arguments) {
 int main(int count, char** words) {
   Arguments arguments;
   if (!read_arguments(count, words, arguments)) {
-    std::fprintf(stderr,
-                 "usage: bench_topology [--seeds N] [--case TEXT] [--rays N] [--look-around] "
-                 "[--branching all|auto|off] [--verbose] [MODE...]\n");
+    std::fprintf(
+        stderr,
+        "usage: bench_topology [--first N] [--seeds N] [--case TEXT] [--rays N] [--divide] [--look-around] "
+        "[--branching all|auto|off] [--verbose] [MODE...]\n");
     return 2;
   }
   for (const bench::TopologyCase& c : bench::topology_cases())

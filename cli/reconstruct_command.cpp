@@ -125,9 +125,13 @@ void add_natural_options(CLI::App& command, NaturalOptions& natural) {
                   "natural: weight of a small surface against a likely volume")
       ->capture_default_str()
       ->check(CLI::Range(0.0, kLargestSmoothWeight));
-  command.add_flag("--look-around", natural.look_around,
-                   "natural: where it is in doubt whether sections are joined in a cell, ask the planes around "
-                   "it: for few planes, slower");
+  command.add_flag(
+      "--divide", natural.divide,
+      "natural: points inside cells, where sections can't be joined or much is lost without: slower");
+  command.add_flag(
+      "--look-around", natural.look_around,
+      "natural: where it is in doubt whether sections are joined in a cell, ask the planes around "
+      "it: for few planes, slower");
 }
 
 /// What is done so that the solid has all of its sections and touches itself nowhere.

@@ -89,6 +89,7 @@ Json to_json(const Options& o) {
           {"alone_confidence", o.natural.alone_confidence},
           {"cavity_confidence", o.natural.cavity_confidence},
           {"smooth_weight", o.natural.smooth_weight},
+          {"divide", o.natural.divide},
           {"look_around", o.natural.look_around},
           {"branching", branching_name(o.branching.mode)},
           {"cutting", o.branching.cutting},
@@ -123,7 +124,8 @@ Json lines_part(const Report& r) {
 }
 
 Json branching_part(const Report& r) {
-  return {{"faces", r.branching_faces}, {"samples", r.branching_samples}};
+  return {
+      {"faces", r.branching_faces}, {"samples", r.branching_samples}, {"interior_points", r.interior_points}};
 }
 
 Json arrangement_part(const Report& r) {

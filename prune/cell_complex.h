@@ -35,6 +35,13 @@ struct CellComplex {
     return {face_masks.data() + std::size_t{v} * words, words};
   }
 
+  /// No face of the cell passes through it.
+  bool is_interior(std::uint32_t v) const {
+    std::uint64_t on = 0;
+    for (const std::uint64_t word : faces_of(v)) on |= word;
+    return on == 0;
+  }
+
   /// The lowest face that three vertices share, kNone if there is none. Of a triangle it is the only one.
   std::uint32_t common_face(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
     for (std::uint32_t w = 0; w < words; ++w) {

@@ -22,6 +22,7 @@ class Lanes {
   Pair& operator[](std::size_t pair) { return pairs_[pair]; }
   const Pair& operator[](std::size_t pair) const { return pairs_[pair]; }
   double of(std::size_t point) const { return pairs_[point / 2][point % 2]; }
+  void fill_last() { lower(kPoints, of(0)); }
   void lower(std::size_t point, double to) { pairs_[point / 2][point % 2] = std::min(to, of(point)); }
 
  private:
@@ -75,7 +76,8 @@ Distances to_contours(const CellComplex& complex, const CellShape& shape, std::u
   const auto& v = complex.mesh.vertices[t];
   Distances d;
   for (std::size_t k = 0; k < kPairs; ++k) d.in[k] = both(kNowhere);
-  for (const std::uint32_t corner : v) take_vertex(p, shape.points[corner], d.in);
+  for (const std::uint32_t corner : v)
+    if (!complex.is_interior(corner)) take_vertex(p, shape.points[corner], d.in);
   d.out = d.in;
   unsigned grounded = 0;
   for (unsigned e = 0; e < 6; ++e) grounded |= (complex.edges[t][e] != EdgeKind::free ? 1U : 0U) << e;
@@ -85,6 +87,31 @@ Distances to_contours(const CellComplex& complex, const CellShape& shape, std::u
               complex.edges[t][e] == EdgeKind::contour, d);
   }
   return d;
+}
+
+bool has_interior_vertex(const CellComplex& complex, std::uint32_t t) {
+  for (const std::uint32_t v : complex.mesh.vertices[t])
+    if (complex.is_interior(v)) return true;
+  return false;
+}
+
+double squared_distance_to(const std::array<Vec3, 2>& edge, Vec3 p) {
+  const Vec3 along = edge[1] - edge[0], x = p - edge[0];
+  const double t = std::clamp(dot(x, along) / dot(along, along), 0.0, 1.0);
+  const Vec3 away = x - t * along;
+  return dot(away, away);
+}
+
+/// The nearest contours need not be at a tetrahedron with vertices inside the cell. Sections are in reach of
+/// their faces.
+void take_contours(const ContourEdges& contours, const Points& p, Distances& d) {
+  for (std::size_t k = 0; k < kPoints; ++k) {
+    const double square = contours.squared_distance(p.at(k), d.in.of(k));
+    d.in.lower(k, square);
+    d.out.lower(k, square);
+  }
+  d.in.fill_last();
+  d.out.fill_last();
 }
 
 /// Asks the section only where the face is nearer than what was found before.
@@ -122,7 +149,8 @@ std::int32_t mean_of(const Distances& d) {
   double sum = 0;
   for (std::size_t k = 0; k < kPoints; ++k) {
     const double in = std::sqrt(d.in.of(k)), out = std::sqrt(d.out.of(k));
-    sum += (k == 0 ? 0.4 : 0.15) * (in + out > 0 ? (out - in) / (out + in) : 0);
+    const double share = out == kNowhere ? 1 : in + out > 0 ? (out - in) / (out + in) : 0;
+    sum += (k == 0 ? 0.4 : 0.15) * share;
   }
   return static_cast<std::int32_t>(std::floor(sum * kCertain + 0.5));
 }
@@ -153,6 +181,31 @@ void ConfidenceMeter::find_near_faces(Vec3 centroid, double radius, double reach
   }
 }
 
+ContourEdges::ContourEdges(const CellComplex& complex, const CellShape& shape) : tree_({}) {
+  std::vector<std::array<std::uint32_t, 2>> list;
+  for (std::uint32_t t = 0; t < complex.mesh.size(); ++t)
+    for (unsigned e = 0; e < 6; ++e) {
+      if (complex.edges[t][e] != EdgeKind::contour) continue;
+      const auto [a, b] =
+          std::minmax(complex.mesh.vertices[t][kEdgeSlots[e][0]], complex.mesh.vertices[t][kEdgeSlots[e][1]]);
+      list.push_back({a, b});
+    }
+  std::sort(list.begin(), list.end());
+  list.erase(std::unique(list.begin(), list.end()), list.end());
+  std::vector<Bounds> boxes;
+  for (const auto& [a, b] : list) {
+    ends_.push_back({shape.points[a], shape.points[b]});
+    boxes.emplace_back().add(shape.points[a]);
+    boxes.back().add(shape.points[b]);
+  }
+  tree_ = BoxTree(boxes);
+}
+
+double ContourEdges::squared_distance(Vec3 p, double bound) const {
+  return tree_.nearest(
+      p, [&](std::uint32_t i) { return squared_distance_to(ends_[i], p); }, bound);
+}
+
 std::int32_t ConfidenceMeter::measure(std::uint32_t t) {
   // Sorted, so that rounding does not depend on the order of the vertices.
   const auto v = sorted_vertices(complex_.mesh, t);
@@ -167,6 +220,10 @@ std::int32_t ConfidenceMeter::measure(std::uint32_t t) {
   }
   const Points p(centroid, middles);
   Distances d = to_contours(complex_, shape_, t, p);
+  if (has_interior_vertex(complex_, t)) {
+    if (!contours_) contours_.emplace(complex_, shape_);
+    take_contours(*contours_, p, d);
+  }
   find_near_faces(centroid, std::sqrt(farthest), reach_of(d));
   for (const NearFace& near : near_) take_face(shape_.faces[near.face], sections_[near.face], p, d);
   return mean_of(d);

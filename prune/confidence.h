@@ -3,10 +3,13 @@
 /// Boissonnat and Memari made soft. A point nearer to the sections than to the rest of the cell's boundary
 /// would be inside by that rule.
 
+#include <array>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
+#include "../geom/box_tree.h"
 #include "cell_complex.h"
 #include "cell_shape.h"
 #include "section_rows.h"
@@ -19,6 +22,18 @@ inline constexpr std::int32_t kCertain = 1 << 20;
 inline std::int32_t as_integer(double confidence) {
   return static_cast<std::int32_t>(std::floor(confidence * kCertain + 0.5));
 }
+
+/// The contours of a cell, for points that may be far from any.
+class ContourEdges {
+ public:
+  ContourEdges(const CellComplex& complex, const CellShape& shape);
+  /// To the nearest one, if that is less than the bound. Expected O(log n).
+  double squared_distance(Vec3 p, double bound) const;
+
+ private:
+  std::vector<std::array<Vec3, 2>> ends_;
+  BoxTree tree_;
+};
 
 /// The mean over five points p of the tetrahedron (its centroid, 0.4, and the middles from there to its
 /// vertices, 0.15 each) of (d_out - d_in) / (d_out + d_in), where d_in is the distance to the sections and
@@ -46,6 +61,7 @@ class ConfidenceMeter {
   const CellComplex& complex_;
   const CellShape& shape_;
   std::vector<SectionRows> sections_;
+  std::optional<ContourEdges> contours_;  ///< once a tetrahedron has a vertex inside the cell
   double slack_ = 0;
   std::vector<NearFace> near_;  ///< of the tetrahedron that is measured
 };

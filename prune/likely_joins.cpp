@@ -21,14 +21,17 @@ constexpr double kLeastWhereKept = -0.01;
 
 /// With more sections in a cell they are small against it, and the samples too far apart to tell them from
 /// what is around; and there is a wish for each pair.
-constexpr std::size_t kMostParts = 8;
+constexpr std::size_t kMostParts = 5;
 
-std::optional<SmoothFunction> function_around(const CellShape& shape) {
+std::optional<SmoothFunction> function_around(const CellComplex& complex, const CellShape& shape) {
+  std::vector<Vec3> points;
+  for (std::uint32_t v = 0; v < shape.points.size(); ++v)
+    if (!complex.is_interior(v)) points.push_back(shape.points[v]);
   Vec3 centre;
-  for (const Vec3& p : shape.points) centre = centre + p;
-  centre = (1 / static_cast<double>(shape.points.size())) * centre;
+  for (const Vec3& p : points) centre = centre + p;
+  centre = (1 / static_cast<double>(points.size())) * centre;
   double radius = 0;
-  for (const Vec3& p : shape.points) radius = std::max(radius, norm(p - centre));
+  for (const Vec3& p : points) radius = std::max(radius, norm(p - centre));
   return SmoothFunction::through(shape.field->get().samples(centre, kReach * radius), centre, radius);
 }
 
@@ -102,8 +105,8 @@ std::vector<Part> list_parts(const CellComplex& complex, const Ground& ground) {
 }
 
 /// Whether parts that are surely one body by their confidence are so in `wanted`: else the function does not
-/// see what it is to decide. A join has the name of one part of each of two bodies, its smallest vertex, which
-/// parts that touch may have in common.
+/// see what it is to decide. A join has the name of one part of each of two bodies, its smallest vertex,
+/// which parts that touch may have in common.
 bool sees_sure_joins(std::span<const Join> possible, std::span<const Part> parts, Reached& wanted) {
   const auto is_seen = [&](const Join& j) {
     for (const Part& p : parts)
@@ -113,9 +116,8 @@ bool sees_sure_joins(std::span<const Join> possible, std::span<const Part> parts
           return true;
     return false;
   };
-  return std::all_of(possible.begin(), possible.end(), [&](const Join& j) {
-    return j.confidence <= as_integer(kSurelyJoined) || is_seen(j);
-  });
+  return std::all_of(possible.begin(), possible.end(),
+                     [&](const Join& j) { return j.confidence <= as_integer(kSurelyJoined) || is_seen(j); });
 }
 
 }  // namespace
@@ -132,7 +134,7 @@ std::optional<JoinPlan> plan_joins(const CellComplex& complex, const CellShape& 
     return std::nullopt;
   const std::vector<Part> parts = list_parts(complex, ground);
   if (parts.size() > kMostParts) return std::nullopt;
-  const auto f = function_around(shape);
+  const auto f = function_around(complex, shape);
   if (!f) return std::nullopt;
   Reached wanted = reach(complex, ground, [&](std::uint32_t t) {
     return r1[t] != 0 && is_likely(complex, shape, *f, kept[t] != 0 ? kLeastWhereKept : 0, t);

@@ -23,6 +23,8 @@ struct NaturalOptions {
   double cavity_confidence = 0;    ///< a cavity is opened where a wall is less sure than this, and nothing
                                    ///< less sure is built there; -1: cavities stay
   double smooth_weight = 1;        ///< of a small surface against a likely volume
+  bool divide = false;             ///< tetrahedra that are lost for an edge outside may be divided by
+                                   ///< points inside the cell (interior_places.h)
   bool look_around = false;        ///< joins in doubt by the planes around the cell (likely_joins.h), if its
                                    ///< shape has them; else a cell is pruned by itself
 };

@@ -30,12 +30,6 @@ bool is_two_plane(const CellComplex& complex, std::uint32_t t) {
                      [](FacetKind kind) { return kind != FacetKind::free; });
 }
 
-std::vector<std::uint8_t> step1(const CellComplex& complex) {
-  std::vector<std::uint8_t> kept(complex.mesh.size());
-  for (std::uint32_t t = 0; t < complex.mesh.size(); ++t) kept[t] = is_external(complex, t) ? 0 : 1;
-  return kept;
-}
-
 /// Takes the tetrahedra of R1 over more than two planes, T_evv and T_vvvv, out of `kept`.
 std::vector<std::uint8_t> take_candidates(const CellComplex& complex, std::vector<std::uint8_t>& kept) {
   std::vector<std::uint8_t> candidates(kept.size(), 0);
@@ -61,6 +55,12 @@ const char* name_of(PruneMode mode) {
   return "";
 }
 
+std::vector<std::uint8_t> without_external(const CellComplex& complex) {
+  std::vector<std::uint8_t> r1(complex.mesh.size());
+  for (std::uint32_t t = 0; t < complex.mesh.size(); ++t) r1[t] = is_external(complex, t) ? 0 : 1;
+  return r1;
+}
+
 PruneResult prune(const CellComplex& complex, const CellShape& shape, const PruneOptions& options,
                   const CellRequests& requests) {
   return prune(complex, Ground(complex), shape, options, requests);
@@ -75,7 +75,7 @@ PruneResult prune(const CellComplex& complex, const Ground& ground, const CellSh
   }
   PruneResult result;
   result.r0 = complex.mesh.size();
-  const std::vector<std::uint8_t> r1 = step1(complex);
+  const std::vector<std::uint8_t> r1 = without_external(complex);
   result.r1 = count(r1);
   NaturalResult natural = prune_naturally(complex, ground, shape, r1, options.natural, requests);
   result.kept = std::move(natural.kept);
@@ -89,7 +89,7 @@ PruneResult prune(const CellComplex& complex, const Ground& ground, const CellSh
 PruneResult prune(const CellComplex& complex, PruneMode mode) {
   PruneResult result;
   result.r0 = complex.mesh.size();
-  result.kept = step1(complex);
+  result.kept = without_external(complex);
   result.r1 = count(result.kept);
   if (mode == PruneMode::joint) {
     keep_largest_solid_subset(complex, result.kept);

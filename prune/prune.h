@@ -51,6 +51,8 @@ PruneResult prune(const CellComplex& complex, const CellShape& shape, const Prun
 /// The same for who has the ground already. REQUIRES: it is that of the complex.
 PruneResult prune(const CellComplex& complex, const Ground& ground, const CellShape& shape,
                   const PruneOptions& options, const CellRequests& requests);
+/// Step 1: by tetrahedron, 1 in R1, which have neither an external grounded edge nor an external triangle.
+std::vector<std::uint8_t> without_external(const CellComplex& complex);
 /// The modes that measure nothing. REQUIRES: mode is not `natural`.
 PruneResult prune(const CellComplex& complex, PruneMode mode);
 

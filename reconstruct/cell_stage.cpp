@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "../prune/confidence.h"
+#include "../prune/interior_places.h"
 #include "../prune/solidity.h"
 #include "../prune/star.h"
 #include "../prune/verify.h"
@@ -109,14 +110,21 @@ void Pipeline::cover_finally() {
   }
 }
 
-PruneResult Pipeline::prune_built(CellId id, std::span<const FaceId> ids, std::span<const CellFace> faces,
-                                  const BuiltCell& cell, const Ground& ground,
-                                  const CellRequests& asked) const {
+/// Where points inside the cell are wanted. True if that is all there is to do now.
+bool Pipeline::is_to_be_divided(const BuiltCell& cell, const Ground& ground, const CellShape& shape,
+                                std::span<const FaceId> ids, CellState& state) const {
+  state.places.clear();
+  if (!points_may_come_) return false;
+  state.places =
+      interior_places(cell.complex, shape, ground, as_integer(options_.natural.alone_confidence));
+  return !state.places.empty() && !(samples_may_come_ && is_near_branching(ids));
+}
+
+PruneResult Pipeline::prune_built(std::span<const CellFace> faces, const BuiltCell& cell, const Ground& ground,
+                                  const CellShape& shape, const CellRequests& asked) const {
   if (options_.mode != PruneMode::natural) return prune(cell.complex, ground, {}, {options_.mode, {}}, {});
   CellRequests requests = by_local_numbers(asked, cell);
   requests.wishes = cell_wishes(options_.joins, faces, cell);
-  CellShape shape = cell_shape(*arrangement_, id, ids, cell, numbering_);
-  shape.field = field_.get();
   return prune(cell.complex, ground, shape, {options_.mode, options_.natural}, requests);
 }
 
@@ -156,7 +164,7 @@ Result<Done> Pipeline::prune_cell(CellId id, CellState& state) {
   if (!has_section(faces)) return Done{};
   if (!state.triangulation) state.triangulation = std::make_unique<CellTriangulation>(faces.size());
   const double before = state.triangulation->seconds();
-  if (auto done = state.triangulation->add(faces, numbering_.points); !done) return done;
+  if (auto done = state.triangulation->add(faces, numbering_.points, state.interior); !done) return done;
   state.delaunay_seconds += state.triangulation->seconds() - before;
   auto built = build_cell(faces, *state.triangulation, *line_edges_, numbering_.graph_vertex);
   if (!built) return built.error();
@@ -164,7 +172,14 @@ Result<Done> Pipeline::prune_cell(CellId id, CellState& state) {
   if (cell.complex.mesh.size() == 0) return Done{};
   Stopwatch watch;
   const Ground ground(cell.complex);
-  PruneResult pruned = prune_built(id, ids, faces, cell, ground, state.asked);
+  CellShape shape;
+  if (options_.mode == PruneMode::natural) shape = cell_shape(*arrangement_, id, ids, cell, numbering_);
+  if (is_to_be_divided(cell, ground, shape, ids, state)) {
+    state.pruning_seconds += watch.lap();
+    return Done{};
+  }
+  shape.field = state.places.empty() ? field_.get() : nullptr;  // joins in doubt wait for the points
+  PruneResult pruned = prune_built(faces, cell, ground, shape, state.asked);
   if (auto good = check_pruned(cell, pruned); !good) return good;
   CellReport& report = state.report;
   report.faces = static_cast<std::uint32_t>(faces.size());
@@ -186,7 +201,7 @@ Result<Done> Pipeline::prune_cell(CellId id, CellState& state) {
       !(topology.bare == 0 && topology.bad_links == 0 && has_ground_everywhere(cell.complex, pruned.kept));
   cover(faces, ids,
         ask_joint ? ground_under(cell, prune(cell.complex, PruneMode::joint).kept) : state.ground);
-  if (!may_take_samples(state, faces)) state.triangulation.reset();
+  if (!may_take_samples(state, faces) && state.places.empty()) state.triangulation.reset();
   if (observer_) state.built = std::move(cell), state.pruned = std::move(pruned);
   return Done{};
 }
@@ -277,7 +292,7 @@ Result<Done> Pipeline::add_samples() {
     if (!samples[f].empty())
       for (const CellId c : arrangement_->cells_of(FaceId{f})) cells_[c.value].due = true;
   for (CellState& cell : cells_)
-    if (!cell.due) cell.triangulation.reset();
+    if (!cell.due && cell.places.empty()) cell.triangulation.reset();
   const bool none =
       std::all_of(samples.begin(), samples.end(), [](const auto& list) { return list.empty(); });
   return none ? Result<Done>(Done{}) : refine_faces(samples);
@@ -288,6 +303,7 @@ Result<Done> Pipeline::fill_cells() {
   cells_.resize(arrangement_->cell_count());
   if (options_.mode == PruneMode::natural && options_.natural.look_around)
     field_ = std::make_unique<LazySectionField>([this] { return section_field(graph_); });
+  points_may_come_ = options_.mode == PruneMode::natural && options_.natural.divide;
   const Branching mode = options_.branching.mode;
   samples_may_come_ = mode == Branching::automatic;
   if (auto done = find_branching_cells(); !done) return done;
@@ -298,6 +314,8 @@ Result<Done> Pipeline::fill_cells() {
     if (auto done = add_samples(); !done) return done;
     if (auto done = prune_due_cells(); !done) return done;
   }
+  if (points_may_come_)
+    if (auto done = divide_cells(); !done) return done;
   for (CellState& cell : cells_) cell.triangulation.reset();
   drop_what_samples_need();
   build_bridges();

@@ -30,11 +30,14 @@ bool CellPredicates::collinear(std::uint32_t a, std::uint32_t b, std::uint32_t c
   return shared >= 2 || crossloft::collinear(v_->points[a], v_->points[b], v_->points[c]);
 }
 
-Result<Done> CellTriangulation::add(std::span<const CellFace> faces, std::span<const LatticePoint> points) {
+Result<Done> CellTriangulation::add(std::span<const CellFace> faces, std::span<const LatticePoint> points,
+                                    std::span<const std::uint32_t> interior) {
   const auto begin = std::chrono::steady_clock::now();
   std::vector<std::uint32_t> known = vertices_.numbers, wanted, added;
   std::sort(known.begin(), known.end());
   for (const CellFace& face : faces) merge_into(wanted, face.numbers);
+  merge_into(wanted, interior);
+  if (!interior.empty()) vertices_.first_interior = interior.front();
   wanted.erase(std::unique(wanted.begin(), wanted.end()), wanted.end());
   std::set_difference(wanted.begin(), wanted.end(), known.begin(), known.end(), std::back_inserter(added));
   const std::uint32_t first = vertices_.size();

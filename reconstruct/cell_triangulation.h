@@ -1,6 +1,7 @@
 #pragma once
 /// The Delaunay triangulation R0 of one cell's section vertices, which can take branching samples later.
 
+#include <algorithm>
 #include <memory>
 #include <span>
 #include <vector>
@@ -32,6 +33,7 @@ struct CellVertices {
   std::vector<LatticePoint> points;
   std::vector<std::uint64_t> face_masks;  ///< `words` of each vertex; bit f: on face f of the cell
   std::uint32_t words = 1;
+  std::uint32_t first_interior = kNone;  ///< numbers below this are in lexicographic order
 
   std::uint32_t size() const { return static_cast<std::uint32_t>(numbers.size()); }
   std::uint64_t mask(std::uint32_t v, std::uint32_t word) const {
@@ -66,8 +68,10 @@ class CellPredicates {
   }
   LiftedError lifted_error() const { return crossloft::lifted_error(bounds_); }
   bool collinear(std::uint32_t a, std::uint32_t b, std::uint32_t c) const;
-  /// Numbers are in lexicographic order.
+  /// Numbers are in lexicographic order but for points inside the cell.
   int compare_lex(std::uint32_t a, std::uint32_t b) const {
+    if (std::max(v_->numbers[a], v_->numbers[b]) >= v_->first_interior)
+      return crossloft::compare_lex(v_->points[a], v_->points[b]);
     return v_->numbers[a] < v_->numbers[b] ? -1 : v_->numbers[a] > v_->numbers[b] ? 1 : 0;
   }
 
@@ -88,9 +92,11 @@ class CellTriangulation {
   CellTriangulation(const CellTriangulation&) = delete;
   CellTriangulation& operator=(const CellTriangulation&) = delete;
 
-  /// Inserts those vertices of the faces that are not in yet. `points` by number, which is lexicographic.
+  /// Inserts those vertices of the faces, and of the points inside the cell (`interior`, by number, ascending), that are not in
+  /// yet. `points` by number, which is lexicographic; those inside cells come after all others.
   /// Error internal: a self check failed.
-  Result<Done> add(std::span<const CellFace> faces, std::span<const LatticePoint> points);
+  Result<Done> add(std::span<const CellFace> faces, std::span<const LatticePoint> points,
+                   std::span<const std::uint32_t> interior = {});
   /// The vertices in get other numbers, in the same order: new_number[number].
   void renumber(std::span<const std::uint32_t> new_number);
 

@@ -63,9 +63,11 @@ struct CellState {
   std::vector<GroundTriangle> bridge_ground;
   CellBridges bridges;  ///< mode natural
   std::vector<std::array<std::uint32_t, 4>> roof_tets;
-  std::vector<GroundTriangle> ground;  ///< internal triangles that kept tetrahedra stand on
-  std::vector<std::uint32_t> feet;     ///< in step: the facets there; what bridges stand on comes after
-  BuiltCell built;                     ///< only for an observer
+  std::vector<GroundTriangle> ground;   ///< internal triangles that kept tetrahedra stand on
+  std::vector<std::uint32_t> feet;      ///< in step: the facets there; what bridges stand on comes after
+  std::vector<Vec3> places;             ///< where points inside the cell are wanted
+  std::vector<std::uint32_t> interior;  ///< numbers of those that came in, ascending
+  BuiltCell built;                      ///< only for an observer
   PruneResult pruned;
   bool may_branch = false;  ///< samples are wanted if it lacks something
   bool due = true;          ///< to be pruned: not yet done, or its faces have changed
@@ -92,6 +94,8 @@ class Pipeline {
   Result<Done> triangulate_faces();
   // cell_stage.cpp
   Result<Done> fill_cells();
+  // interior_stage.cpp
+  Result<Done> divide_cells();
   // second_look_stage.cpp
   Result<Done> look_again();
   Result<std::vector<Piece>> find_pieces();
@@ -124,8 +128,10 @@ class Pipeline {
   std::vector<CellFace> cell_faces(CellId id, std::span<const FaceId> ids) const;
   Result<Done> prune_due_cells();
   Result<Done> prune_cell(CellId id, CellState& state);
-  PruneResult prune_built(CellId id, std::span<const FaceId> ids, std::span<const CellFace> faces,
-                          const BuiltCell& cell, const Ground& ground, const CellRequests& asked) const;
+  bool is_to_be_divided(const BuiltCell& cell, const Ground& ground, const CellShape& shape,
+                        std::span<const FaceId> ids, CellState& state) const;
+  PruneResult prune_built(std::span<const CellFace> faces, const BuiltCell& cell, const Ground& ground,
+                          const CellShape& shape, const CellRequests& asked) const;
   Result<Done> check_pruned(const BuiltCell& cell, const PruneResult& pruned) const;
   void report_topology(const BuiltCell& cell, const NaturalReport& natural, CellReport& report) const;
   void cover(std::span<const CellFace> faces, std::span<const FaceId> ids,
@@ -176,6 +182,7 @@ class Pipeline {
   std::unique_ptr<LazySectionField> field_;  ///< mode natural
   std::vector<CellState> cells_;             ///< by cell of the arrangement
   bool samples_may_come_ = false;            ///< cells are pruned to see where branching samples are wanted
+  bool points_may_come_ = false;             ///< cells are asked where points inside are wanted
   std::vector<std::array<std::uint32_t, 4>> tets_;       ///< of the solid, taken out of the cells
   KnownFacets known_;                                    ///< of tets_, unless they have been glued
   std::vector<std::array<std::uint32_t, 4>> roof_tets_;  ///< of flat regions

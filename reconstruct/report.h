@@ -93,6 +93,7 @@ struct Report {
   std::uint32_t simplified_vertices = 0;  ///< contour vertices left out for Options::simplify
   double simplify_deviation = 0;  ///< largest distance of one of them from the contour edge in its place
   std::uint32_t branching_samples = 0;  ///< vertices added on branching and cutting diagrams
+  std::uint32_t interior_points = 0;    ///< vertices added inside cells, mode natural
   std::uint32_t branching_faces = 0;    ///< faces that got some
   std::uint32_t edge_splits = 0;        ///< vertices added to make contours Delaunay-conforming
 

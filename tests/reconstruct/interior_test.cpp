@@ -1,0 +1,81 @@
+/// Points inside cells: what can be joined with them, and that they leave no trace elsewhere.
+
+#include "../../inspect/check.h"
+#include "../../inspect/slice.h"
+#include "../../inspect/solids.h"
+#include "scenes.h"
+
+using namespace crossloft;
+using namespace crossloft::test;
+
+namespace {
+
+Options dividing(bool look_around) {
+  Options options;
+  options.natural.divide = true;
+  options.natural.look_around = look_around;
+  return options;
+}
+
+Sections cut(const Surface& mesh, std::uint32_t planes, std::uint64_t seed) {
+  const auto sections = slice(mesh, random_planes(bounds_of(mesh.points), planes, seed));
+  REQUIRE(sections.ok());
+  return *sections;
+}
+
+}  // namespace
+
+TEST_CASE("a torus that R1 cuts open is whole with points inside its cells") {
+  const Sections sections = cut(torus(1, 0.4, 96, 48), 16, 7);
+  Options whole;
+  whole.natural.look_around = true;
+  const auto open = reconstruct(sections, whole), closed = reconstruct(sections, dividing(true));
+  REQUIRE(open.ok());
+  REQUIRE(closed.ok());
+  CHECK(open->report.interior_points == 0);
+  CHECK(closed->report.interior_points > 0);
+  CHECK(check_surface(open->surface).genus == 0);
+  const CheckReport report = check_surface(closed->surface);
+  CHECK(report.good_topology());
+  CHECK(report.genus == 1);
+  CHECK(report.components.size() == 1);
+  CHECK(closed->report.volume > open->report.volume);
+}
+
+TEST_CASE("points inside cells change no section") {
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    CAPTURE(seed);
+    const Sections sections = cut(genus2_solid(40), 24, seed);
+    Options options = dividing(false);
+    options.thicken = 1e-3;
+    const auto whole = reconstruct(sections), divided = reconstruct(sections, options);
+    REQUIRE(whole.ok());
+    REQUIRE(divided.ok());
+    CHECK(divided->report.interior_points > 0);
+    CHECK(divided->report.topology.handles == 0);
+    CHECK(check_surface(divided->surface).good_topology());
+    CHECK(divided->report.section_area == whole->report.section_area);
+    const SectionCheck check = check_sections(divided->surface, divided->sections);
+    for (std::size_t p = 0; p < check.planes.size(); ++p)
+      CHECK(check.planes[p].difference_area() <=
+            divided->report.planes[p].flat_area + 1e-6 * divided->report.section_area);
+  }
+}
+
+TEST_CASE("points inside cells: order and threads leave no trace, with samples too") {
+  const Sections sections = cut(torus(1, 0.4, 48, 24), 14, 5);
+  for (const Branching mode : {Branching::automatic, Branching::all}) {
+    Options options = dividing(true);
+    options.branching.mode = mode;
+    const auto reference = reconstruct(sections, options);
+    REQUIRE(reference.ok());
+    CHECK(reference->report.interior_points > 0);
+    for (std::uint64_t round = 0; round < 4; ++round) {
+      Context context;
+      context.threads = round % 2 == 0 ? 2 : 1;
+      const auto r = reconstruct(shuffled(sections, 3 + round), options, context);
+      REQUIRE(r.ok());
+      CHECK(hash(*r) == hash(*reference));
+    }
+  }
+}
