@@ -18,6 +18,7 @@
 
 #include "../geom/disjoint_sets.h"
 #include "../prune/confidence.h"
+#include "../prune/prune.h"
 #include "../prune/section_field.h"
 #include "../prune/smooth_function.h"
 #include "../prune/star.h"
@@ -49,18 +50,6 @@ struct CellUnderStudy {
   std::vector<std::uint8_t> r1;
   std::vector<std::uint32_t> body;  ///< in truth, by ground triangle
 };
-
-std::vector<std::uint8_t> without_external(const CellComplex& complex) {
-  std::vector<std::uint8_t> r1(complex.mesh.size(), 1);
-  for (std::size_t t = 0; t < r1.size(); ++t) {
-    const auto& facets = complex.facets[t];
-    const auto& edges = complex.edges[t];
-    if (std::count(facets.begin(), facets.end(), FacetKind::external) != 0 ||
-        std::count(edges.begin(), edges.end(), EdgeKind::external) != 0)
-      r1[t] = 0;
-  }
-  return r1;
-}
 
 /// Kruskal's algorithm: sets of ground triangles, then tetrahedra.
 class Joining {
