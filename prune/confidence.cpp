@@ -71,13 +71,14 @@ void take_edge(const Points& p, Vec3 a, Vec3 b, bool is_contour, Distances& d) {
   }
 }
 
-/// To the vertices and the grounded edges of t.
-Distances to_contours(const CellComplex& complex, const CellShape& shape, std::uint32_t t, const Points& p) {
+/// To the vertices and the grounded edges of t. `all_grounded`: no vertex of it is inside the cell.
+Distances to_contours(const CellComplex& complex, const CellShape& shape, std::uint32_t t, const Points& p,
+                      bool all_grounded) {
   const auto& v = complex.mesh.vertices[t];
   Distances d;
   for (std::size_t k = 0; k < kPairs; ++k) d.in[k] = both(kNowhere);
   for (const std::uint32_t corner : v)
-    if (!complex.is_interior(corner)) take_vertex(p, shape.points[corner], d.in);
+    if (all_grounded || !complex.is_interior(corner)) take_vertex(p, shape.points[corner], d.in);
   d.out = d.in;
   unsigned grounded = 0;
   for (unsigned e = 0; e < 6; ++e) grounded |= (complex.edges[t][e] != EdgeKind::free ? 1U : 0U) << e;
@@ -144,12 +145,14 @@ double reach_of(const Distances& d) {
   return std::sqrt(std::max(largest[0], largest[1]));
 }
 
-/// The mean of (out - in) / (out + in).
-std::int32_t mean_of(const Distances& d) {
+/// The mean of (out - in) / (out + in). `out` is far away from all that is outside only where it need not be
+/// at a vertex: inside the cell.
+std::int32_t mean_of(const Distances& d, bool all_grounded) {
   double sum = 0;
   for (std::size_t k = 0; k < kPoints; ++k) {
     const double in = std::sqrt(d.in.of(k)), out = std::sqrt(d.out.of(k));
-    const double share = out == kNowhere ? 1 : in + out > 0 ? (out - in) / (out + in) : 0;
+    const bool is_nowhere = !all_grounded && out == kNowhere;
+    const double share = is_nowhere ? 1 : in + out > 0 ? (out - in) / (out + in) : 0;
     sum += (k == 0 ? 0.4 : 0.15) * share;
   }
   return static_cast<std::int32_t>(std::floor(sum * kCertain + 0.5));
@@ -164,6 +167,7 @@ ConfidenceMeter::ConfidenceMeter(const CellComplex& complex, const Ground& groun
     scale = std::max(scale, std::fabs(p.x) + std::fabs(p.y) + std::fabs(p.z));
   for (const FacePlane& face : shape.faces) scale = std::max(scale, std::fabs(face.offset));
   slack_ = scale * 0x1p-44;
+  for (std::uint32_t v = 0; v < complex.vertex_count; ++v) has_interior_ |= complex.is_interior(v);
 }
 
 /// Faces that come nearer to some point than `reach`, the nearest one first: it answers for most points.
@@ -219,14 +223,15 @@ std::int32_t ConfidenceMeter::measure(std::uint32_t t) {
     farthest = std::max(farthest, dot(away, away));
   }
   const Points p(centroid, middles);
-  Distances d = to_contours(complex_, shape_, t, p);
-  if (has_interior_vertex(complex_, t)) {
+  const bool all_grounded = !has_interior_ || !has_interior_vertex(complex_, t);
+  Distances d = to_contours(complex_, shape_, t, p, all_grounded);
+  if (!all_grounded) {
     if (!contours_) contours_.emplace(complex_, shape_);
     take_contours(*contours_, p, d);
   }
   find_near_faces(centroid, std::sqrt(farthest), reach_of(d));
   for (const NearFace& near : near_) take_face(shape_.faces[near.face], sections_[near.face], p, d);
-  return mean_of(d);
+  return mean_of(d, all_grounded);
 }
 
 std::vector<std::int32_t> confidences(const CellComplex& complex, const CellShape& shape,

@@ -61,6 +61,7 @@ class ConfidenceMeter {
   const CellComplex& complex_;
   const CellShape& shape_;
   std::vector<SectionRows> sections_;
+  bool has_interior_ = false;             ///< some vertex is inside the cell
   std::optional<ContourEdges> contours_;  ///< once a tetrahedron has a vertex inside the cell
   double slack_ = 0;
   std::vector<NearFace> near_;  ///< of the tetrahedron that is measured
