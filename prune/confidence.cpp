@@ -145,15 +145,20 @@ double reach_of(const Distances& d) {
   return std::sqrt(std::max(largest[0], largest[1]));
 }
 
-/// The mean of (out - in) / (out + in). `out` is far away from all that is outside only where it need not be
-/// at a vertex: inside the cell.
+/// (out - in) / (out + in), also where there is nothing of one or the other: a vertex is in both, so that is
+/// asked of points inside the cell only.
+double share_of(double in, double out, bool all_grounded) {
+  if (!all_grounded && (in == kNowhere || out == kNowhere))
+    return in != kNowhere ? 1 : out != kNowhere ? -1 : 0;
+  return in + out > 0 ? (out - in) / (out + in) : 0;
+}
+
+/// The mean share.
 std::int32_t mean_of(const Distances& d, bool all_grounded) {
   double sum = 0;
   for (std::size_t k = 0; k < kPoints; ++k) {
     const double in = std::sqrt(d.in.of(k)), out = std::sqrt(d.out.of(k));
-    const bool is_nowhere = !all_grounded && out == kNowhere;
-    const double share = is_nowhere ? 1 : in + out > 0 ? (out - in) / (out + in) : 0;
-    sum += (k == 0 ? 0.4 : 0.15) * share;
+    sum += (k == 0 ? 0.4 : 0.15) * share_of(in, out, all_grounded);
   }
   return static_cast<std::int32_t>(std::floor(sum * kCertain + 0.5));
 }

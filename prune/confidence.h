@@ -41,7 +41,8 @@ class ContourEdges {
 ///
 /// Distances to faces are heights, told apart by whether the foot is in the section. Those to contours are
 /// taken to the tetrahedron's own vertices and grounded edges: in a Delaunay triangulation of the contours
-/// the nearest ones are there or not far away.
+/// the nearest ones are there or not far away. Edges outside of sections, which R1 does not have, lower d_in:
+/// external tetrahedra look surer than they are, and what divides them (interior_places.h) reckons with that.
 class ConfidenceMeter {
  public:
   /// As section_rows().

@@ -42,8 +42,10 @@ std::vector<std::int64_t> volumes(const CellComplex& complex, const CellShape& s
   Bounds box;
   for (const Vec3& p : shape.points) box.add(p);
   const Vec3 size = box.high - box.low;
-  const double units = 0x1p40 / (size.x * size.y * size.z);
-  std::vector<std::int64_t> list(complex.mesh.size());
+  std::vector<std::int64_t> list(complex.mesh.size(), 0);
+  const double whole = size.x * size.y * size.z;
+  if (!(whole > 0)) return list;  // thinner than a unit in the last place
+  const double units = 0x1p40 / whole;
   for (std::uint32_t t = 0; t < list.size(); ++t)
     list[t] = static_cast<std::int64_t>(std::floor(volume(complex, shape, t) * units + 0.5));
   return list;
@@ -170,7 +172,7 @@ std::vector<std::uint32_t> large_ones(const CellComplex& complex, const CellShap
   const std::vector<std::int64_t> size = volumes(complex, shape);
   std::int64_t hull = 0;
   for (const std::int64_t v : size) hull += v;
-  const double least = kLeastVolume * static_cast<double>(hull);
+  const double least = std::max(1.0, kLeastVolume * static_cast<double>(hull));
   std::vector<std::uint32_t> large;
   for (std::uint32_t t = 0; t < r1.size(); ++t)
     if (r1[t] == 0 && static_cast<double>(size[t]) >= least) large.push_back(t);

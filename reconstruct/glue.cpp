@@ -464,6 +464,7 @@ Result<PairedBoundary> pair_boundary(Tets tets, KnownFacets known, const Context
   if (!good) return good.error();
   if (context.cancelled()) return failure(ErrorCode::cancelled, "cancelled");
   const BoundaryFacets boundary = mark_boundary(tets, partner);
+  if (boundary.facets.size() >= kNone / 3) return failure(ErrorCode::too_large, "2^32 / 3 triangles or more");
   const std::vector<std::uint32_t> mate = pair_sides(tets, partner, boundary, context);
   if (context.cancelled()) return failure(ErrorCode::cancelled, "cancelled");
   partner = {};

@@ -42,7 +42,8 @@ struct GluedSurface {
 /// triples; those without a partner are the boundary. Without overlaps the result depends on the set of
 /// tetrahedra only, not on their order nor on which even permutation of its vertices each is given by.
 /// Errors: internal, if three facets share a triple, or two have the same side (overlapping tetrahedra);
-/// too_large from 2^29 tetrahedra on. O(n log n + largest vertex), arrays only. The context lends threads.
+/// too_large from 2^29 tetrahedra or 2^32 / 3 boundary triangles on. O(n log n + largest vertex), arrays
+/// only. The context lends threads.
 Result<GluedSurface> glue(std::span<const std::array<std::uint32_t, 4>> tets, const Context& context = {});
 
 /// What is known before: the triangulations of the cells say what is next to what.

@@ -31,13 +31,18 @@ bool is_inside(const Arrangement& arrangement, CellId cell, const LatticePoint& 
   });
 }
 
-/// Of all cells, in lexicographic order, each once: no two cells have a point in common.
-std::vector<InteriorPoint> interior_points(const Arrangement& arrangement, std::span<const CellState> cells) {
+/// Of all cells, in lexicographic order, each once and new: no two cells have a point in common.
+std::vector<InteriorPoint> interior_points(const Arrangement& arrangement, std::span<const CellState> cells,
+                                           std::span<const LatticePoint> known) {
+  const auto is_new = [&](std::uint32_t c, const LatticePoint& p) {
+    return std::none_of(cells[c].interior.begin(), cells[c].interior.end(),
+                        [&](std::uint32_t v) { return compare_lex(known[v], p) == 0; });
+  };
   std::vector<InteriorPoint> points;
   for (std::uint32_t c = 0; c < cells.size(); ++c)
     for (const Vec3& place : cells[c].places) {
       const LatticePoint p = rounded_point(place);
-      if (is_inside(arrangement, CellId{c}, p)) points.push_back({p, c});
+      if (is_inside(arrangement, CellId{c}, p) && is_new(c, p)) points.push_back({p, c});
     }
   std::sort(points.begin(), points.end(),
             [](const auto& x, const auto& y) { return compare_lex(x.point, y.point) < 0; });
@@ -57,7 +62,7 @@ Result<Done> Pipeline::divide_cells() {
       cell.due = !cell.places.empty();
       points_may_come_ |= cell.due && round < kRounds;
     }
-    for (const InteriorPoint& p : interior_points(*arrangement_, cells_)) {
+    for (const InteriorPoint& p : interior_points(*arrangement_, cells_, numbering_.points)) {
       cells_[p.cell].interior.push_back(static_cast<std::uint32_t>(numbering_.points.size()));
       numbering_.points.push_back(p.point);
       numbering_.graph_vertex.push_back(kNone);

@@ -49,7 +49,7 @@ struct Piece {
 
 /// A cell while it is worked on, and what it leaves behind.
 struct CellState {
-  std::unique_ptr<CellTriangulation> triangulation;  ///< kept only while samples may come
+  std::unique_ptr<CellTriangulation> triangulation;  ///< kept only while points may come
   std::vector<std::array<std::uint32_t, 4>> tets;    ///< kept ones, by final vertex numbers
   std::uint32_t first_tet = 0, tet_count = 0;        ///< where they are in Pipeline::tets_, if they are there
   /// In step: the facet glued to each of its facets, as 4 * position of its tetrahedron + slot; kNone

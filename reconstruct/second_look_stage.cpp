@@ -345,10 +345,9 @@ Result<Done> Pipeline::look_again() {
     cell.due = !cell.asked.joined.empty() || !cell.asked.opened.empty();
     changes |= cell.due;
   }
-  if (!changes) {
-    for (CellState& cell : cells_) cell.tets = {};  // those that were asked: they have not changed
-    return Done{};
-  }
+  // Cells that were asked keep what they have now: the same tetrahedra, but perhaps in another order than in
+  // tets_, and what they know of their facets is in that.
+  if (!changes) return Done{};
   glued_.reset();
   give_tets_back();
   remove_bridges();

@@ -73,3 +73,11 @@ TEST_CASE("14,000 sizes from the origin: rounding made triangles cross, which ar
 TEST_CASE("a vertex off its plane by a tenth of the solid: it was led out of the arrangement onto another plane's line") {
   check_case("moved_out_of_the_box.contour");
 }
+
+TEST_CASE("cells that had got points were asked what is small and thickened: gluing walked in circles around an edge") {
+  Options options;
+  options.thicken = 0.01;
+  check_case("asked_after_samples.contour", options);
+  options.natural.divide = true;
+  check_case("asked_after_points_inside.contour", options);
+}
