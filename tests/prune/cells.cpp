@@ -263,6 +263,12 @@ CellShape turned(const CellShape& shape, std::mt19937& random) {
   return result;
 }
 
+PlacedCell turned_cell(std::uint32_t seed, std::mt19937& random) {
+  PlacedCell cell = placed_cell(seed);
+  cell.shape = turned(cell.shape, random);
+  return cell;
+}
+
 PlacedCell with_many_faces(const PlacedCell& cell) {
   constexpr unsigned kMore = 70;
   PlacedCell wide = cell;

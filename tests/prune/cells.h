@@ -42,6 +42,8 @@ CellComplex deep_cell(std::uint32_t seed);
 
 /// The shape turned by a random rotation, so that no face is parallel to an axis.
 CellShape turned(const CellShape& shape, std::mt19937& random);
+/// A random cell, turned.
+PlacedCell turned_cell(std::uint32_t seed, std::mt19937& random);
 
 /// The same cell with 70 faces more, the first ones, that nothing is on: two words of face masks.
 PlacedCell with_many_faces(const PlacedCell& cell);

@@ -30,8 +30,7 @@ TEST_CASE("random cells: places are inside, and do not depend on the numbers of 
   for (std::uint32_t seed = 0; seed < 300; ++seed) {
     CAPTURE(seed);
     std::mt19937 random(seed);
-    PlacedCell cell = placed_cell(seed);
-    cell.shape = turned(cell.shape, random);
+    PlacedCell cell = turned_cell(seed, random);
     std::vector<std::uint32_t> from;
     const PlacedCell other{shuffled(cell.complex, random, from), cell.shape};
     const std::vector<Vec3> places = places_of(cell);

@@ -114,8 +114,7 @@ TEST_CASE("random cells: the result does not depend on the numbers of the tetrah
   for (std::uint32_t seed = 400; seed < 600; ++seed) {
     CAPTURE(seed);
     std::mt19937 random(seed);
-    PlacedCell cell = placed_cell(seed);
-    cell.shape = turned(cell.shape, random);
+    PlacedCell cell = turned_cell(seed, random);
     std::vector<std::uint32_t> from;
     const PlacedCell other{shuffled(cell.complex, random, from), cell.shape};
     const PruneResult a = prune_cell(cell, options_for(seed)), b = prune_cell(other, options_for(seed));
@@ -134,8 +133,7 @@ TEST_CASE("random cells: joins in doubt make no handle and do not depend on numb
   for (std::uint32_t seed = 800; seed < 1100; ++seed) {
     CAPTURE(seed);
     std::mt19937 random(seed);
-    PlacedCell cell = placed_cell(seed);
-    cell.shape = turned(cell.shape, random);
+    PlacedCell cell = turned_cell(seed, random);
     const PruneResult alone = prune_cell(cell, {});
     const LazySectionField field([&] { return own_field(cell); });
     cell.shape.field = &field;

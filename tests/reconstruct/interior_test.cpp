@@ -1,5 +1,7 @@
 /// Points inside cells: what can be joined with them, and that they leave no trace elsewhere.
 
+#include <cmath>
+
 #include "../../inspect/check.h"
 #include "../../inspect/slice.h"
 #include "../../inspect/solids.h"
@@ -21,6 +23,24 @@ Sections cut(const Surface& mesh, std::uint32_t planes, std::uint64_t seed) {
   const auto sections = slice(mesh, random_planes(bounds_of(mesh.points), planes, seed));
   REQUIRE(sections.ok());
   return *sections;
+}
+
+PlaneSection plane(const Vec3& normal, const Vec3& point) {
+  PlaneSection section;
+  section.normal = normal;
+  section.offset = -dot(normal, point);
+  return section;
+}
+
+PlaneSection square(double z, double centre) {
+  PlaneSection section = plane({0, 0, 1}, {0, 0, z});
+  constexpr double kHalf = 20;
+  section.vertices = {{centre - kHalf, -kHalf, z},
+                      {centre + kHalf, -kHalf, z},
+                      {centre + kHalf, kHalf, z},
+                      {centre - kHalf, kHalf, z}};
+  for (std::uint32_t i = 0; i < 4; ++i) section.edges.push_back({i, (i + 1) % 4, 1, 0, 0, 0});
+  return section;
 }
 
 }  // namespace
@@ -77,5 +97,25 @@ TEST_CASE("points inside cells: order and threads leave no trace, with samples t
       REQUIRE(r.ok());
       CHECK(hash(*r) == hash(*reference));
     }
+  }
+}
+
+TEST_CASE(
+    "a narrow prism of empty planes across two squares: cells without any contour have confidences too") {
+  constexpr double kShear = 2, kWide = 0.1;
+  Sections sections;
+  sections.planes = {square(0, 0),
+                     square(1, kShear),
+                     plane({1, 0, -kShear}, {-kWide, 0, 0}),
+                     plane({1, 0, -kShear}, {kWide, 0, 0}),
+                     plane({0, 1, 0}, {0, -kWide, 0}),
+                     plane({0, 1, 0}, {0, 1.1 * kWide, 0})};
+  for (const bool look_around : {false, true}) {
+    const auto r = reconstruct(sections, dividing(look_around));
+    REQUIRE(r.ok());
+    CHECK(r->report.interior_points > 0);
+    CHECK(check_surface(r->surface).good_topology());
+    for (const CellReport& cell : r->report.cells)
+      for (const JoinReport& join : cell.joins) CHECK(std::fabs(join.confidence) <= 1);
   }
 }
