@@ -1,7 +1,9 @@
 /// Random small section sets through the pipeline, each judged by all promises (promises.h).
 ///
-///   stress [--count N] [--seed S] [--first K] [--threads T] [--keep FOLDER] [--mode natural|joint|paper]
+///   stress [--count N] [--seed S] [--first K] [--threads T] [--keep FOLDER] [--mode
+///   natural|joint|paper|careful]
 ///
+/// Mode careful: natural, with points inside cells and joins in doubt decided by what is around.
 /// Input k of seed S is the same whatever the others are: --first K --count 1 repeats it. Broken promises are
 /// printed, with --keep also kept as FOLDER/S-K.bytes (an input of the fuzz target) and FOLDER/S-K.contour.
 /// Exit 1 if there was one.
@@ -33,6 +35,7 @@ struct Arguments {
   std::uint64_t count = 2000, seed = 1, first = 0, threads = 1;
   std::string keep;
   std::optional<PruneMode> mode;
+  bool careful = false;
 };
 
 /// What was seen of one kind of set.
@@ -77,6 +80,7 @@ class Stress {
     ByteSource source(bytes);
     SectionSet set = draw_section_set(source);
     if (arguments_.mode) set.options.mode = *arguments_.mode;
+    if (arguments_.careful) set.options.natural.divide = set.options.natural.look_around = true;
     const auto begin = std::chrono::steady_clock::now();
     const Verdict verdict = judge(set);
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
@@ -133,10 +137,12 @@ bool parse_number(const char* text, std::uint64_t& number) {
   return error == std::errc() && *end == '\0';
 }
 
-bool parse_mode(const std::string& name, std::optional<PruneMode>& mode) {
+bool parse_mode(const std::string& name, Arguments& a) {
+  a.careful = name == "careful";
+  if (a.careful) a.mode = PruneMode::natural;
   for (const PruneMode m : {PruneMode::natural, PruneMode::joint, PruneMode::paper})
-    if (name == name_of(m)) mode = m;
-  return mode.has_value();
+    if (name == name_of(m)) a.mode = m;
+  return a.mode.has_value();
 }
 
 bool parse(int argc, char** argv, Arguments& a) {
@@ -153,7 +159,7 @@ bool parse(int argc, char** argv, Arguments& a) {
     else if (name == "--threads")
       good = parse_number(argv[i + 1], a.threads);
     else if (name == "--mode")
-      good = parse_mode(argv[i + 1], a.mode);
+      good = parse_mode(argv[i + 1], a);
     else if (name == "--keep")
       a.keep = argv[i + 1];
     else
