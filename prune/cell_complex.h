@@ -41,6 +41,11 @@ struct CellComplex {
     for (const std::uint64_t word : faces_of(v)) on |= word;
     return on == 0;
   }
+  bool has_interior_vertices() const {
+    for (std::uint32_t v = 0; v < vertex_count; ++v)
+      if (is_interior(v)) return true;
+    return false;
+  }
 
   /// The lowest face that three vertices share, kNone if there is none. Of a triangle it is the only one.
   std::uint32_t common_face(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {

@@ -172,7 +172,7 @@ ConfidenceMeter::ConfidenceMeter(const CellComplex& complex, const Ground& groun
     scale = std::max(scale, std::fabs(p.x) + std::fabs(p.y) + std::fabs(p.z));
   for (const FacePlane& face : shape.faces) scale = std::max(scale, std::fabs(face.offset));
   slack_ = scale * 0x1p-44;
-  for (std::uint32_t v = 0; v < complex.vertex_count; ++v) has_interior_ |= complex.is_interior(v);
+  has_interior_ = complex.has_interior_vertices();
 }
 
 /// Faces that come nearer to some point than `reach`, the nearest one first: it answers for most points.

@@ -51,12 +51,6 @@ std::vector<std::int64_t> volumes(const CellComplex& complex, const CellShape& s
   return list;
 }
 
-bool has_interior_vertices(const CellComplex& complex) {
-  for (std::uint32_t v = 0; v < complex.vertex_count; ++v)
-    if (complex.is_interior(v)) return true;
-  return false;
-}
-
 /// Ways between sections that R1 does not connect.
 class LackingWays {
  public:
@@ -185,7 +179,7 @@ std::vector<Vec3> interior_places(const CellComplex& complex, const CellShape& s
                                   std::int32_t least) {
   const std::vector<std::uint8_t> r1 = without_external(complex);
   std::vector<std::uint32_t> large;
-  if (!has_interior_vertices(complex)) large = large_ones(complex, shape, r1);
+  if (!complex.has_interior_vertices()) large = large_ones(complex, shape, r1);
   LackingWays ways(complex, ground, r1);
   std::vector<Vec3> places;
   if (large.empty() && !ways.any()) return places;

@@ -171,13 +171,13 @@ class WidestWays {
   const std::function<std::int32_t(std::uint32_t)>& measure_;
   std::vector<Width> width_;  ///< by tetrahedron, if it has been measured
   std::vector<State> state_;
-  std::vector<std::uint8_t> met_;  ///< by part
-  std::vector<std::uint32_t> of_part_, begin_;
-  std::vector<std::uint32_t> by_size_;  ///< parts
-  std::vector<std::uint32_t> left_;     ///< by body: parts that have not been met, and one
-  std::vector<Step> steps_;             ///< a heap, the best first
-  Width worst_;                         ///< since the last section
-  std::uint32_t last_ = 0;              ///< section that has been met last
+  std::vector<std::uint8_t> met_;               ///< by part
+  std::vector<std::uint32_t> of_part_, begin_;  ///< ground triangles by part, those of p from begin_[p] on
+  std::vector<std::uint32_t> by_size_;          ///< parts
+  std::vector<std::uint32_t> left_;             ///< by body: parts that have not been met, and one
+  std::vector<Step> steps_;                     ///< a heap, the best first
+  Width worst_;                                 ///< since the last section
+  std::uint32_t last_ = 0;                      ///< section that has been met last
   std::vector<Met> found_;
 };
 

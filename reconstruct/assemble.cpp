@@ -60,7 +60,7 @@ Vec3 unit_normal(const LatticeVector& n) {
 }  // namespace
 
 /// By blocks of first vertices, then by first vertices, then the few of each by the rest: straight away by
-/// first vertices each step would be a miss of the cache, which took twice as long.
+/// first vertices each step would be a miss of the cache, which took several times as long.
 void sort_tets(std::span<Tet> tets, std::size_t vertices, const Context& context) {
   for (Tet& t : tets) t = canonical(t);
   const std::size_t blocks = (vertices >> kBlockBits) + 1, size = std::size_t{1} << kBlockBits;

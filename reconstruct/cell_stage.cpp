@@ -110,18 +110,18 @@ void Pipeline::cover_finally() {
   }
 }
 
-/// Where points inside the cell are wanted. True if that is all there is to do now.
-bool Pipeline::is_to_be_divided(const BuiltCell& cell, const Ground& ground, const CellShape& shape,
-                                std::span<const FaceId> ids, CellState& state) const {
+/// Notes where points inside the cell are wanted. True if it is not to be pruned before they have come.
+bool Pipeline::wait_for_points(const BuiltCell& cell, const Ground& ground, const CellShape& shape,
+                               std::span<const FaceId> ids, CellState& state) const {
   state.places.clear();
   if (!points_may_come_) return false;
-  state.places =
-      interior_places(cell.complex, shape, ground, as_integer(options_.natural.alone_confidence));
+  state.places = interior_places(cell.complex, shape, ground, as_integer(options_.natural.alone_confidence));
   return !state.places.empty() && !(samples_may_come_ && is_near_branching(ids));
 }
 
-PruneResult Pipeline::prune_built(std::span<const CellFace> faces, const BuiltCell& cell, const Ground& ground,
-                                  const CellShape& shape, const CellRequests& asked) const {
+PruneResult Pipeline::prune_built(std::span<const CellFace> faces, const BuiltCell& cell,
+                                  const Ground& ground, const CellShape& shape,
+                                  const CellRequests& asked) const {
   if (options_.mode != PruneMode::natural) return prune(cell.complex, ground, {}, {options_.mode, {}}, {});
   CellRequests requests = by_local_numbers(asked, cell);
   requests.wishes = cell_wishes(options_.joins, faces, cell);
@@ -174,7 +174,7 @@ Result<Done> Pipeline::prune_cell(CellId id, CellState& state) {
   const Ground ground(cell.complex);
   CellShape shape;
   if (options_.mode == PruneMode::natural) shape = cell_shape(*arrangement_, id, ids, cell, numbering_);
-  if (is_to_be_divided(cell, ground, shape, ids, state)) {
+  if (wait_for_points(cell, ground, shape, ids, state)) {
     state.pruning_seconds += watch.lap();
     return Done{};
   }

@@ -92,8 +92,9 @@ class CellTriangulation {
   CellTriangulation(const CellTriangulation&) = delete;
   CellTriangulation& operator=(const CellTriangulation&) = delete;
 
-  /// Inserts those vertices of the faces, and of the points inside the cell (`interior`, by number, ascending), that are not in
-  /// yet. `points` by number, which is lexicographic; those inside cells come after all others.
+  /// Inserts those vertices of the faces, and of the points inside the cell (`interior`, by number,
+  /// ascending), that are not in yet. `points` by number, which is lexicographic; those inside cells come
+  /// after all others.
   /// Error internal: a self check failed.
   Result<Done> add(std::span<const CellFace> faces, std::span<const LatticePoint> points,
                    std::span<const std::uint32_t> interior = {});

@@ -128,8 +128,8 @@ class Pipeline {
   std::vector<CellFace> cell_faces(CellId id, std::span<const FaceId> ids) const;
   Result<Done> prune_due_cells();
   Result<Done> prune_cell(CellId id, CellState& state);
-  bool is_to_be_divided(const BuiltCell& cell, const Ground& ground, const CellShape& shape,
-                        std::span<const FaceId> ids, CellState& state) const;
+  bool wait_for_points(const BuiltCell& cell, const Ground& ground, const CellShape& shape,
+                       std::span<const FaceId> ids, CellState& state) const;
   PruneResult prune_built(std::span<const CellFace> faces, const BuiltCell& cell, const Ground& ground,
                           const CellShape& shape, const CellRequests& asked) const;
   Result<Done> check_pruned(const BuiltCell& cell, const PruneResult& pruned) const;
