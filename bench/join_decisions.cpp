@@ -2,7 +2,8 @@
 // topology and lets Kruskal's algorithm join the sections of each cell, the best tetrahedron of R1 first.
 // Each time that it brings two bodies together the mesh that was cut tells whether they are one in truth.
 //
-//   bench_joins [--seeds FIRST LAST] [--case TEXT]      default: 11 to 20, all cases but the nested shells
+//   bench_joins [--seeds FIRST LAST] [--case TEXT] [--mesh FILE PLANES]      default: 11 to 20, all cases but
+//   the nested shells; with a mesh random planes through it instead
 //
 // Per measure: joins of what is one body and of what is not, the area under the ROC curve, and how many would
 // be decided wrongly by the best limit, and by 0; and in how many runs there is one of these.
@@ -237,6 +238,7 @@ void print(const std::string& name, std::vector<Decision> decisions) {
 struct Arguments {
   std::uint64_t first = 11, last = 20;
   std::string only;
+  std::vector<bench::TopologyCase> cases;
 };
 
 bool read_arguments(int count, char** words, Arguments& arguments) {
@@ -244,6 +246,12 @@ bool read_arguments(int count, char** words, Arguments& arguments) {
     const std::string word = words[i];
     if (word == "--case" && i + 1 < count) {
       arguments.only = words[++i];
+    } else if (word == "--mesh" && i + 2 < count) {
+      const auto planes = static_cast<std::uint32_t>(std::strtoul(words[i + 2], nullptr, 10));
+      auto mesh = bench::mesh_case(words[i + 1], planes);
+      if (!mesh) return false;
+      arguments.cases.push_back(std::move(mesh).value());
+      i += 2;
     } else if (word == "--seeds" && i + 2 < count) {
       arguments.first = std::strtoull(words[++i], nullptr, 10);
       arguments.last = std::strtoull(words[++i], nullptr, 10);
@@ -280,10 +288,13 @@ bool study_case(const bench::TopologyCase& c, const Arguments& arguments, std::u
 int main(int count, char** words) {
   Arguments arguments;
   if (!read_arguments(count, words, arguments))
-    return std::fprintf(stderr, "usage: bench_joins [--seeds FIRST LAST] [--case TEXT]\n"), 2;
+    return std::fprintf(stderr,
+                        "usage: bench_joins [--seeds FIRST LAST] [--case TEXT] [--mesh FILE PLANES]\n"),
+           2;
   Decisions all;
   std::uint32_t run = 0;
-  for (const bench::TopologyCase& c : bench::topology_cases()) {
+  if (arguments.cases.empty()) arguments.cases = bench::topology_cases();
+  for (const bench::TopologyCase& c : arguments.cases) {
     if (c.name.find(arguments.only) == std::string::npos || c.name.find("nested") == 0) continue;
     if (!study_case(c, arguments, run, all)) return std::fprintf(stderr, "error: %s\n", c.name.c_str()), 1;
   }

@@ -3,8 +3,9 @@
 // cut.
 //
 //   bench_topology [--first N] [--seeds N] [--case TEXT] [--rays N] [--divide WHERE] [--look-around WHERE]
-//                 [--branching all|auto|off] [--verbose] [MODE...]      default: seeds 1 to 10, all cases,
-//                 128 rays, modes joint and natural
+//                 [--branching all|auto|off] [--mesh FILE PLANES] [--verbose] [MODE...]
+//                 default: seeds 1 to 10, all cases, 128 rays, modes joint and natural; with a mesh, which
+//                 may come several times, random planes through it instead of the cases
 //
 // A run is right if its genus (summed) and its number of surface components are those of the mesh. Per case
 // and mode: right runs, means of intersection over union and of the volume's error, the worst loss of IoU
@@ -72,6 +73,7 @@ struct Arguments {
   std::uint64_t first = 1, seeds = 10;
   std::uint32_t rays = 128;
   std::string only;
+  std::vector<bench::TopologyCase> cases;
   bool verbose = false;
   std::vector<PruneMode> modes;
   Options options;
@@ -170,6 +172,16 @@ bool read_where(const std::string& word, Where& where) {
   return true;
 }
 
+/// The two words after --mesh.
+bool read_mesh_case(char** words, Arguments& arguments) {
+  auto mesh = bench::mesh_case(words[1], static_cast<std::uint32_t>(std::strtoul(words[2], nullptr, 10)));
+  if (mesh)
+    arguments.cases.push_back(std::move(mesh).value());
+  else
+    std::fprintf(stderr, "%s\n", mesh.error().message.c_str());
+  return mesh.ok();
+}
+
 bool read_arguments(int count, char** words, Arguments& arguments) {
   for (int i = 1; i < count; ++i) {
     const std::string word = words[i];
@@ -180,6 +192,9 @@ bool read_arguments(int count, char** words, Arguments& arguments) {
       if (!read_where(words[++i], arguments.options.natural.divide)) return false;
     } else if (word == "--branching" && !last) {
       if (!read_where(words[++i], arguments.options.branching.mode)) return false;
+    } else if (word == "--mesh" && i + 2 < count) {
+      if (!read_mesh_case(words + i, arguments)) return false;
+      i += 2;
     } else if (word == "--verbose") {
       arguments.verbose = true;
     } else if (word == "--seeds" && !last) {
@@ -207,10 +222,11 @@ int main(int count, char** words) {
     std::fprintf(stderr,
                  "usage: bench_topology [--first N] [--seeds N] [--case TEXT] [--rays N] [--divide WHERE] "
                  "[--look-around WHERE] "
-                 "[--branching all|auto|off] [--verbose] [MODE...]\n");
+                 "[--branching all|auto|off] [--mesh FILE PLANES] [--verbose] [MODE...]\n");
     return 2;
   }
-  for (const bench::TopologyCase& c : bench::topology_cases())
+  if (arguments.cases.empty()) arguments.cases = bench::topology_cases();
+  for (const bench::TopologyCase& c : arguments.cases)
     if (c.name.find(arguments.only) != std::string::npos && !run_case(c, arguments)) return 1;
   return 0;
 }

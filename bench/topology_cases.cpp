@@ -1,6 +1,7 @@
 #include "topology_cases.h"
 
 #include "../inspect/solids.h"
+#include "../io/read_mesh.h"
 
 namespace crossloft::bench {
 namespace {
@@ -30,6 +31,13 @@ std::vector<TopologyCase> topology_cases() {
           {"vessels by fan 24", [] { return vessel_solid(); }, fan_set(24)},
           {"gyroid by 40", [] { return gyroid_solid(); }, random_set(40)},
           {"nested shells by 12", [] { return nested_shells(); }, random_set(12)}};
+}
+
+Result<TopologyCase> mesh_case(const std::string& path, std::uint32_t planes) {
+  auto mesh = read_surface(path);
+  if (!mesh) return mesh.error();
+  const std::string name = path.substr(path.find_last_of('/') + 1) + " by " + std::to_string(planes);
+  return TopologyCase{name, [surface = std::move(mesh).value()] { return surface; }, random_set(planes)};
 }
 
 }  // namespace crossloft::bench

@@ -19,4 +19,7 @@ struct TopologyCase {
 /// Those of the table in prune/README.md.
 std::vector<TopologyCase> topology_cases();
 
+/// A mesh of the user's, cut by `planes` random planes. Error: the file can't be read.
+Result<TopologyCase> mesh_case(const std::string& path, std::uint32_t planes);
+
 }  // namespace crossloft::bench
