@@ -9,6 +9,7 @@
 #include "../prune/solidity.h"
 #include "../prune/star.h"
 #include "../prune/verify.h"
+#include "layer_cell.h"
 #include "pruning_input.h"
 #include "self_check.h"
 
@@ -157,16 +158,31 @@ Result<Done> Pipeline::check_pruned(const BuiltCell& cell, const PruneResult& pr
   });
 }
 
+/// Points inside the cell need a triangulation that takes them.
+Result<BuiltCell> Pipeline::build(std::span<const CellFace> faces, CellState& state) const {
+  if (state.interior.empty()) {
+    Stopwatch watch;
+    auto layer = build_layer_cell(faces, numbering_.points);
+    if (layer) {
+      state.delaunay_seconds += watch.lap();
+      state.triangulation.reset();
+      return std::move(*layer);
+    }
+  }
+  if (!state.triangulation) state.triangulation = std::make_unique<CellTriangulation>(faces.size());
+  const double before = state.triangulation->seconds();
+  if (auto done = state.triangulation->add(faces, numbering_.points, state.interior); !done)
+    return done.error();
+  state.delaunay_seconds += state.triangulation->seconds() - before;
+  return build_cell(faces, *state.triangulation, *line_edges_, numbering_.graph_vertex);
+}
+
 Result<Done> Pipeline::prune_cell(CellId id, CellState& state) {
   const std::vector<FaceId> ids = inner_faces(id);
   const std::vector<CellFace> faces = cell_faces(id, ids);
   state.due = false;
   if (!has_section(faces)) return Done{};
-  if (!state.triangulation) state.triangulation = std::make_unique<CellTriangulation>(faces.size());
-  const double before = state.triangulation->seconds();
-  if (auto done = state.triangulation->add(faces, numbering_.points, state.interior); !done) return done;
-  state.delaunay_seconds += state.triangulation->seconds() - before;
-  auto built = build_cell(faces, *state.triangulation, *line_edges_, numbering_.graph_vertex);
+  auto built = build(faces, state);
   if (!built) return built.error();
   BuiltCell& cell = *built;
   if (cell.complex.mesh.size() == 0) return Done{};

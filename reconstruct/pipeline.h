@@ -128,6 +128,7 @@ class Pipeline {
   std::vector<CellFace> cell_faces(CellId id, std::span<const FaceId> ids) const;
   Result<Done> prune_due_cells();
   Result<Done> prune_cell(CellId id, CellState& state);
+  Result<BuiltCell> build(std::span<const CellFace> faces, CellState& state) const;
   bool wait_for_points(const BuiltCell& cell, const Ground& ground, const CellShape& shape,
                        std::span<const FaceId> ids, CellState& state) const;
   PruneResult prune_built(std::span<const CellFace> faces, const BuiltCell& cell, const Ground& ground,

@@ -1,0 +1,323 @@
+#include "between_planes.h"
+
+#include "lattice_predicates.h"
+#include "perturbation.h"
+
+namespace crossloft {
+namespace {
+
+constexpr std::uint32_t next_in_triangle(std::uint32_t h) { return h % 3 == 2 ? h - 2 : h + 1; }
+constexpr std::uint32_t last_in_triangle(std::uint32_t h) { return h % 3 == 0 ? h + 2 : h - 1; }
+
+/// Half edges: 3 t + i leads from corner i of triangle t to the next one and has the triangle on its left;
+/// those after 3 T have none there. Edges at a vertex are turned around it by half edges that lead away from
+/// it, its *spokes*.
+class HalfEdges {
+ public:
+  explicit HalfEdges(const PlaneSide& side);
+
+  std::uint32_t triangle_count() const { return triangle_count_; }
+  bool has_triangle(std::uint32_t h) const { return h < 3 * triangle_count_; }
+  std::uint32_t target(std::uint32_t h) const { return halves_[h].target; }
+  std::uint32_t twin(std::uint32_t h) const { return halves_[h].twin; }
+  std::uint32_t source(std::uint32_t h) const { return target(twin(h)); }
+  std::uint32_t edge(std::uint32_t h) const { return halves_[h].edge; }
+  std::size_t size() const { return halves_.size(); }
+  /// The next spoke to the left, or to the right; kNone at the border.
+  std::uint32_t turned_left(std::uint32_t h) const {
+    return has_triangle(h) ? twin(last_in_triangle(h)) : kNone;
+  }
+  std::uint32_t turned_right(std::uint32_t h) const {
+    return has_triangle(twin(h)) ? next_in_triangle(twin(h)) : kNone;
+  }
+
+ private:
+  struct Half {
+    std::uint32_t target, twin, edge;
+  };
+  std::vector<Half> halves_;
+  std::uint32_t triangle_count_;
+};
+
+HalfEdges::HalfEdges(const PlaneSide& side)
+    : triangle_count_(static_cast<std::uint32_t>(side.triangles.size())) {
+  const std::uint32_t inner = 3 * triangle_count_;
+  halves_.reserve(2 * side.edge_count);
+  halves_.resize(inner);
+  std::vector<std::uint32_t> first(side.edge_count, kNone);
+  for (std::uint32_t t = 0; t < triangle_count_; ++t)
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      const auto corner = [&](std::uint32_t k) { return side.clockwise ? (3 - k) % 3 : k % 3; };
+      const std::uint32_t e = side.sides[t][corner((i + 2) % 3)], h = 3 * t + i;
+      halves_[h] = {side.numbers[side.triangles[t][corner((i + 1) % 3)]], first[e], e};
+      if (first[e] != kNone) halves_[first[e]].twin = h;
+      first[e] = h;
+    }
+  for (std::uint32_t h = 0; h < inner; ++h) {
+    if (halves_[h].twin != kNone) continue;
+    halves_[h].twin = static_cast<std::uint32_t>(halves_.size());
+    halves_.push_back({halves_[last_in_triangle(h)].target, h, halves_[h].edge});
+  }
+}
+
+/// A tetrahedron with an edge in each plane, as a step along the fan of its edge in the second plane: from
+/// the triangle on the left of the edge's half with the smaller number.
+struct Step {
+  std::uint32_t from, to;            ///< vertices of the first plane
+  std::uint32_t from_slot, to_slot;  ///< of these vertices
+  std::uint32_t next;                ///< another one of the edge
+};
+
+class Builder {
+ public:
+  Builder(std::span<const LatticePoint> points, const std::array<PlaneSide, 2>& planes,
+          BetweenPlanes& result);
+  bool run();
+
+ private:
+  void start_triangles(const HalfEdges& plane, std::uint32_t base);
+  std::uint32_t first_apex() const;
+  bool is_beyond(std::uint32_t a1, std::uint32_t a2, std::uint32_t b, std::uint32_t p) const {
+    return predicates_.orient3d(a1, a2, b, p) > 0;
+  }
+  std::uint32_t spoke_beyond(std::uint32_t a1, std::uint32_t a2, std::uint32_t b);
+  std::uint32_t best_spoke(std::uint32_t a1, std::uint32_t a2, std::uint32_t b);
+  bool spread_over_first();
+  bool walk(std::uint32_t h, std::uint32_t& apex);
+  std::uint32_t add_step(std::uint32_t h, std::uint32_t spoke);
+  bool join_steps();
+  bool join_steps_of(std::uint32_t h);
+  bool end_fan(std::uint32_t h, std::uint32_t a, std::uint32_t tet, std::uint32_t slot);
+  bool spread_over_second();
+  void link(std::uint32_t t, std::uint32_t slot, std::uint32_t u, std::uint32_t back) {
+    mesh_.neighbours[t][slot] = u;
+    mesh_.neighbours[u][back] = t;
+  }
+  /// Of the tetrahedron at the triangle on the left: the slot across the half edge.
+  static std::uint32_t slot_across(std::uint32_t h) { return (h + 2) % 3; }
+
+  LatticePredicates3 predicates_;
+  HalfEdges first_, second_;
+  BetweenPlanes& result_;
+  TetMesh& mesh_;
+  std::size_t patience_;
+  std::vector<std::uint32_t> spoke_;     ///< by vertex of the second plane: where the last search ended
+  std::vector<std::uint32_t> steps_at_;  ///< by edge of the second plane: first of its list
+  std::vector<Step> steps_;              ///< by tetrahedron with an edge in each plane
+  std::vector<std::uint32_t> leaves_,
+      comes_;                           ///< by vertex of the first plane: the step, if it is of the edge
+  std::vector<std::uint32_t> pending_;  ///< triangles whose apex is known
+};
+
+Builder::Builder(std::span<const LatticePoint> points, const std::array<PlaneSide, 2>& planes,
+                 BetweenPlanes& result)
+    : predicates_(points),
+      first_(planes[0]),
+      second_(planes[1]),
+      result_(result),
+      mesh_(result.mesh),
+      patience_(64 * points.size() + 1000),
+      spoke_(points.size(), kNone),
+      steps_at_(planes[1].edge_count, kNone),
+      leaves_(points.size(), kNone),
+      comes_(points.size(), kNone) {
+  for (std::uint32_t h = 0; h < second_.size(); ++h) spoke_[second_.source(h)] = h;
+}
+
+/// Their apexes are still to come.
+void Builder::start_triangles(const HalfEdges& plane, std::uint32_t base) {
+  for (std::uint32_t t = 0; t < plane.triangle_count(); ++t)
+    mesh_.vertices[base + t] = {plane.target(3 * t + 2), plane.target(3 * t), plane.target(3 * t + 1), kNone};
+}
+
+std::uint32_t Builder::first_apex() const {
+  detail::Simplex<3> tet = mesh_.vertices[0];
+  for (std::uint32_t h = 0; h < second_.size(); ++h) {
+    const std::uint32_t b = second_.target(h);
+    if (tet[3] == kNone || (b != tet[3] && detail::in_ball(predicates_, tet, b) > 0)) tet[3] = b;
+  }
+  return tet[3];
+}
+
+/// Some neighbour of b that is beyond the facet; kNone if there is none.
+std::uint32_t Builder::spoke_beyond(std::uint32_t a1, std::uint32_t a2, std::uint32_t b) {
+  const std::uint32_t start = spoke_[b];
+  std::uint32_t h = start;
+  do {
+    if (is_beyond(a1, a2, b, second_.target(h))) return h;
+    h = second_.turned_left(h);
+    if (patience_ != 0) --patience_;
+  } while (h != kNone && h != start);
+  if (h == start) return kNone;
+  for (h = second_.turned_right(start); h != kNone; h = second_.turned_right(h)) {
+    if (is_beyond(a1, a2, b, second_.target(h))) return h;
+    if (patience_ != 0) --patience_;
+  }
+  return kNone;
+}
+
+/// The neighbour of b that a growing sphere through the facet meets first.
+std::uint32_t Builder::best_spoke(std::uint32_t a1, std::uint32_t a2, std::uint32_t b) {
+  std::uint32_t best = spoke_beyond(a1, a2, b);
+  if (best == kNone) return kNone;
+  const auto is_better = [&](std::uint32_t h) {
+    if (h == kNone) return false;
+    if (patience_ != 0) --patience_;
+    const std::uint32_t v = second_.target(h);
+    return is_beyond(a1, a2, b, v) &&
+           detail::in_ball(predicates_, detail::Simplex<3>{a1, a2, b, second_.target(best)}, v) > 0;
+  };
+  bool moved = false;
+  for (std::uint32_t h = second_.turned_left(best); is_better(h); h = second_.turned_left(h))
+    best = h, moved = true;
+  if (!moved)
+    for (std::uint32_t h = second_.turned_right(best); is_better(h); h = second_.turned_right(h)) best = h;
+  return spoke_[b] = best;
+}
+
+/// The tetrahedron at half edge h of the first plane and `spoke` of the second one; linked to its list.
+std::uint32_t Builder::add_step(std::uint32_t h, std::uint32_t spoke) {
+  const std::uint32_t t = mesh_.size(), a1 = first_.source(h), a2 = first_.target(h);
+  mesh_.vertices.push_back({a1, a2, second_.source(spoke), second_.target(spoke)});
+  mesh_.neighbours.push_back({kNone, kNone, kNone, kNone});
+  const std::uint32_t edge = second_.edge(spoke);
+  result_.edges.push_back({first_.edge(h), edge});
+  const Step step =
+      spoke < second_.twin(spoke) ? Step{a1, a2, 0, 1, steps_at_[edge]} : Step{a2, a1, 1, 0, steps_at_[edge]};
+  steps_at_[edge] = static_cast<std::uint32_t>(steps_.size());
+  steps_.push_back(step);
+  return t;
+}
+
+/// The fan of the edge, from the tetrahedron at the triangle on the left of h. `apex`: of that triangle, then
+/// of the one on the right.
+bool Builder::walk(std::uint32_t h, std::uint32_t& apex) {
+  const std::uint32_t a1 = first_.source(h), a2 = first_.target(h), across = first_.twin(h);
+  const bool ends = !first_.has_triangle(across);
+  const std::uint32_t right = ends ? kNone : first_.target(next_in_triangle(across));
+  std::uint32_t t = h / 3, slot = slot_across(h), b = apex;
+  while (patience_ != 0) {
+    const std::uint32_t spoke = best_spoke(a1, a2, b);
+    if (spoke == kNone && ends) return apex = b, true;
+    if (spoke == kNone || (!ends && detail::in_ball(predicates_, detail::Simplex<3>{a1, a2, b, right},
+                                                    second_.target(spoke)) < 0)) {
+      link(t, slot, across / 3, slot_across(across));
+      return apex = b, true;
+    }
+    const std::uint32_t u = add_step(h, spoke);
+    link(t, slot, u, 3);
+    t = u, slot = 2, b = second_.target(spoke);
+    spoke_[b] = second_.twin(spoke);
+  }
+  return false;
+}
+
+/// Finds the apexes of the first plane's triangles and all tetrahedra with an edge in each plane.
+bool Builder::spread_over_first() {
+  mesh_.vertices[0][3] = first_apex();
+  pending_.assign(1, 0);
+  while (!pending_.empty()) {
+    const std::uint32_t t = pending_.back();
+    pending_.pop_back();
+    for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
+      if (mesh_.neighbours[t][slot_across(h)] != kNone) continue;
+      const std::uint32_t across = first_.twin(h);
+      std::uint32_t apex = mesh_.vertices[t][3];
+      if (!first_.has_triangle(across)) {
+        if (!walk(h, apex)) return false;
+        continue;
+      }
+      std::uint32_t& other = mesh_.vertices[across / 3][3];
+      if (other == apex) {
+        link(t, slot_across(h), across / 3, slot_across(across));
+        continue;
+      }
+      const std::uint32_t expected = other;
+      if (!walk(h, apex) || (expected != kNone && expected != apex)) return false;
+      mesh_.vertices[across / 3][3] = apex;
+      if (expected == kNone) pending_.push_back(across / 3);
+    }
+  }
+  return true;
+}
+
+/// The fan of half edge h begins at the triangle on its left, with a facet to a.
+bool Builder::end_fan(std::uint32_t h, std::uint32_t a, std::uint32_t tet, std::uint32_t slot) {
+  if (!second_.has_triangle(h)) return true;
+  const std::uint32_t triangle = first_.triangle_count() + h / 3;
+  std::uint32_t& apex = mesh_.vertices[triangle][3];
+  if (apex != kNone && apex != a) return false;
+  if (apex == kNone) pending_.push_back(h / 3);
+  apex = a;
+  link(triangle, slot_across(h), tet, slot);
+  return true;
+}
+
+/// Puts the steps of an edge into a row. False if they are not one.
+bool Builder::join_steps_of(std::uint32_t h) {
+  const std::uint32_t base = first_.triangle_count() + second_.triangle_count();
+  const std::uint32_t list = steps_at_[second_.edge(h)];
+  for (std::uint32_t k = list; k != kNone; k = steps_[k].next)
+    leaves_[steps_[k].from] = comes_[steps_[k].to] = k;
+  unsigned starts = 0, ends = 0;
+  bool good = true;
+  for (std::uint32_t k = list; k != kNone; k = steps_[k].next) {
+    const Step& step = steps_[k];
+    const std::uint32_t next = leaves_[step.to];
+    if (next != kNone)
+      link(base + k, step.from_slot, base + next, steps_[next].to_slot);
+    else
+      ++ends, good &= end_fan(second_.twin(h), step.to, base + k, step.from_slot);
+    if (comes_[step.from] == kNone) ++starts, good &= end_fan(h, step.from, base + k, step.to_slot);
+  }
+  for (std::uint32_t k = list; k != kNone; k = steps_[k].next)
+    leaves_[steps_[k].from] = comes_[steps_[k].to] = kNone;
+  return good && (list == kNone || (starts == 1 && ends == 1));
+}
+
+bool Builder::join_steps() {
+  for (std::uint32_t h = 0; h < 3 * second_.triangle_count(); ++h)
+    if (h < second_.twin(h) && !join_steps_of(h)) return false;
+  return true;
+}
+
+/// Across an edge without steps the apex is the same.
+bool Builder::spread_over_second() {
+  const std::uint32_t base = first_.triangle_count();
+  std::uint32_t found = 0;
+  while (!pending_.empty()) {
+    const std::uint32_t t = pending_.back(), apex = mesh_.vertices[base + t][3];
+    pending_.pop_back();
+    ++found;
+    for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
+      const std::uint32_t across = second_.twin(h);
+      if (steps_at_[second_.edge(h)] != kNone || !second_.has_triangle(across)) continue;
+      std::uint32_t& other = mesh_.vertices[base + across / 3][3];
+      if (other == kNone) other = apex, pending_.push_back(across / 3);
+      if (other != apex) return false;
+      link(base + t, slot_across(h), base + across / 3, slot_across(across));
+    }
+  }
+  return found == second_.triangle_count();
+}
+
+bool Builder::run() {
+  const std::uint32_t triangles = first_.triangle_count() + second_.triangle_count();
+  mesh_.vertices.reserve(triangles + triangles / 2);
+  mesh_.neighbours.reserve(triangles + triangles / 2);
+  mesh_.vertices.resize(triangles);
+  mesh_.neighbours.resize(triangles, {kNone, kNone, kNone, kNone});
+  start_triangles(first_, 0);
+  start_triangles(second_, first_.triangle_count());
+  return spread_over_first() && join_steps() && spread_over_second();
+}
+
+}  // namespace
+
+bool delaunay_between_planes(std::span<const LatticePoint> points, const std::array<PlaneSide, 2>& planes,
+                             BetweenPlanes& result) {
+  result = {};
+  return Builder(points, planes, result).run();
+}
+
+}  // namespace crossloft
