@@ -207,7 +207,6 @@ bool Builder::walk(std::uint32_t h, std::uint32_t& apex) {
     const std::uint32_t u = add_step(h, spoke);
     link(t, slot, u, 3);
     t = u, slot = 2, b = second_.target(spoke);
-    spoke_[b] = second_.twin(spoke);
   }
   return false;
 }

@@ -42,6 +42,13 @@ std::vector<GroundTriangle> ground_under(const BuiltCell& cell, const std::vecto
   return list;
 }
 
+std::vector<TetName> names_of(const TetMesh& mesh) {
+  std::vector<TetName> names = mesh.vertices;
+  for (TetName& name : names) std::sort(name.begin(), name.end());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
 /// New lists of the cell's part of the solid, no longer than they need: together they are much of the memory.
 void renew_lists(const BuiltCell& cell, const std::vector<std::uint8_t>& kept, CellState& state) {
   const auto tets = static_cast<std::size_t>(std::count(kept.begin(), kept.end(), std::uint8_t{1}));
@@ -158,6 +165,14 @@ Result<Done> Pipeline::check_pruned(const BuiltCell& cell, const PruneResult& pr
   });
 }
 
+Result<Done> Pipeline::check_layer(std::span<const CellFace> faces, const BuiltCell& layer) const {
+  return self_check("Delaunay between two planes", [&] {
+    CellTriangulation triangulation(faces.size());
+    if (!triangulation.add(faces, numbering_.points)) return "no triangulation";
+    return names_of(triangulation.mesh()) == names_of(layer.complex.mesh) ? "" : "other tetrahedra";
+  });
+}
+
 /// Points inside the cell need a triangulation that takes them.
 Result<BuiltCell> Pipeline::build(std::span<const CellFace> faces, CellState& state) const {
   if (state.interior.empty()) {
@@ -166,6 +181,7 @@ Result<BuiltCell> Pipeline::build(std::span<const CellFace> faces, CellState& st
     if (layer) {
       state.delaunay_seconds += watch.lap();
       state.triangulation.reset();
+      if (auto good = check_layer(faces, *layer); !good) return good.error();
       return std::move(*layer);
     }
   }

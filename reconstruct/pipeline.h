@@ -128,6 +128,7 @@ class Pipeline {
   std::vector<CellFace> cell_faces(CellId id, std::span<const FaceId> ids) const;
   Result<Done> prune_due_cells();
   Result<Done> prune_cell(CellId id, CellState& state);
+  Result<Done> check_layer(std::span<const CellFace> faces, const BuiltCell& layer) const;
   Result<BuiltCell> build(std::span<const CellFace> faces, CellState& state) const;
   bool wait_for_points(const BuiltCell& cell, const Ground& ground, const CellShape& shape,
                        std::span<const FaceId> ids, CellState& state) const;
