@@ -1,10 +1,17 @@
 #include "between_planes.h"
 
-#include "lattice_predicates.h"
+#include <cmath>
+
+#include "../geom/lifted_row.h"
+#include "../geom/static_bounds.h"
 #include "perturbation.h"
 
 namespace crossloft {
 namespace {
+
+/// So many from spoke to spoke for each tetrahedron are enough for all but contrived points; 3 are for a
+/// stack of slices.
+constexpr std::size_t kTurns = 64;
 
 constexpr std::uint32_t next_in_triangle(std::uint32_t h) { return h % 3 == 2 ? h - 2 : h + 1; }
 constexpr std::uint32_t last_in_triangle(std::uint32_t h) { return h % 3 == 0 ? h + 2 : h - 1; }
@@ -60,6 +67,80 @@ HalfEdges::HalfEdges(const PlaneSide& side)
   }
 }
 
+class Predicates {
+ public:
+  explicit Predicates(std::span<const LatticePoint> points)
+      : points_(points), bounds_(static_bounds(points)) {}
+
+  const LatticePoint& point(std::uint32_t i) const { return points_[i]; }
+  const StaticBounds& bounds() const { return bounds_; }
+  int orient3d(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) const {
+    return crossloft::orient3d(bounds_, points_[a], points_[b], points_[c], points_[d]);
+  }
+  int insphere(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d, std::uint32_t e) const {
+    return crossloft::insphere(bounds_, points_[a], points_[b], points_[c], points_[d], points_[e]);
+  }
+  int compare_lex(std::uint32_t a, std::uint32_t b) const {
+    return crossloft::compare_lex(points_[a], points_[b]);
+  }
+
+ private:
+  std::span<const LatticePoint> points_;
+  StaticBounds bounds_;
+};
+
+/// A facet with two vertices in the first plane, asked about points beyond it: its rows are made once. Both
+/// determinants are those of geom/, expanded in another way, for which the static bounds hold as well
+/// (lifted_row.h; a term of orient3d is a minor times an entry whatever row it is expanded along).
+class Facet {
+ public:
+  Facet(const Predicates& predicates, std::uint32_t a1, std::uint32_t a2, std::uint32_t b)
+      : predicates_(predicates), corners_{a1, a2, b, kNone} {
+    const Vec3 p = from_b(a1), q = from_b(a2);
+    p_ = {p, dot(p, p)}, q_ = {q, dot(q, q)};
+    normal_ = cross(p, q);
+    pq_ = minors(p_, q_);
+  }
+  bool is_beyond(std::uint32_t v) const {
+    const double det = dot(normal_, from_b(v));
+    if (std::fabs(det) > predicates_.bounds().orient3d) [[likely]]
+      return det > 0;
+    return predicates_.orient3d(corners_[0], corners_[1], corners_[2], v) > 0;
+  }
+  /// The sphere from now on goes through v, which is beyond.
+  void take(std::uint32_t v) {
+    corners_[3] = v;
+    const Vec3 d = from_b(v);
+    r_ = {d, dot(d, d)};
+    pr_ = minors(p_, r_), qr_ = minors(q_, r_);
+  }
+  bool is_in_sphere(std::uint32_t v) const {
+    const Vec3 d = from_b(v);
+    const LiftedRow s(d, dot(d, d));
+    const filters::Lanes sum =
+        (both(pq_, minors(r_, s)) - both(pr_, minors(q_, s))) + both(minors(p_, s), qr_);
+    const double det = sum[0] + sum[1];
+    if (std::fabs(det) > predicates_.bounds().insphere) [[likely]]
+      return det > 0;
+    return detail::in_ball(predicates_, corners_, v) > 0;
+  }
+
+ private:
+  Vec3 from_b(std::uint32_t v) const {
+    return filters::difference(predicates_.point(v), predicates_.point(corners_[2]));
+  }
+  static filters::Lanes minors(const LiftedRow& a, const LiftedRow& b) {
+    return a.x_lift * b.y_z - a.y_z * b.x_lift;
+  }
+  static filters::Lanes both(filters::Lanes a, filters::Lanes b) { return a * filters::exchanged(b); }
+
+  const Predicates& predicates_;
+  detail::Simplex<3> corners_;
+  LiftedRow p_, q_, r_;
+  Vec3 normal_;
+  filters::Lanes pq_, pr_{}, qr_{};
+};
+
 /// A tetrahedron with an edge in each plane, as a step along the fan of its edge in the second plane: from
 /// the triangle on the left of the edge's half with the smaller number.
 struct Step {
@@ -77,11 +158,8 @@ class Builder {
  private:
   void start_triangles(const HalfEdges& plane, std::uint32_t base);
   std::uint32_t first_apex() const;
-  bool is_beyond(std::uint32_t a1, std::uint32_t a2, std::uint32_t b, std::uint32_t p) const {
-    return predicates_.orient3d(a1, a2, b, p) > 0;
-  }
-  std::uint32_t spoke_beyond(std::uint32_t a1, std::uint32_t a2, std::uint32_t b);
-  std::uint32_t best_spoke(std::uint32_t a1, std::uint32_t a2, std::uint32_t b);
+  std::uint32_t spoke_beyond(const Facet& facet, std::uint32_t b);
+  std::uint32_t best_spoke(Facet& facet, std::uint32_t b);
   bool spread_over_first();
   bool walk(std::uint32_t h, std::uint32_t& apex);
   std::uint32_t add_step(std::uint32_t h, std::uint32_t spoke);
@@ -96,14 +174,15 @@ class Builder {
   /// Of the tetrahedron at the triangle on the left: the slot across the half edge.
   static std::uint32_t slot_across(std::uint32_t h) { return (h + 2) % 3; }
 
-  LatticePredicates3 predicates_;
+  Predicates predicates_;
   HalfEdges first_, second_;
   BetweenPlanes& result_;
   TetMesh& mesh_;
-  std::size_t patience_;
-  std::vector<std::uint32_t> spoke_;     ///< by vertex of the second plane: where the last search ended
-  std::vector<std::uint32_t> steps_at_;  ///< by edge of the second plane: first of its list
-  std::vector<Step> steps_;              ///< by tetrahedron with an edge in each plane
+  std::span<const std::uint32_t> candidates_;  ///< vertices of the second plane
+  std::size_t turns_ = 0;                      ///< from spoke to spoke
+  std::vector<std::uint32_t> spoke_;           ///< by vertex of the second plane: where the last search ended
+  std::vector<std::uint32_t> steps_at_;        ///< by edge of the second plane: first of its list
+  std::vector<Step> steps_;                    ///< by tetrahedron with an edge in each plane
   std::vector<std::uint32_t> leaves_,
       comes_;                           ///< by vertex of the first plane: the step, if it is of the edge
   std::vector<std::uint32_t> pending_;  ///< triangles whose apex is known
@@ -116,7 +195,7 @@ Builder::Builder(std::span<const LatticePoint> points, const std::array<PlaneSid
       second_(planes[1]),
       result_(result),
       mesh_(result.mesh),
-      patience_(64 * points.size() + 1000),
+      candidates_(planes[1].numbers),
       spoke_(points.size(), kNone),
       steps_at_(planes[1].edge_count, kNone),
       leaves_(points.size(), kNone),
@@ -132,46 +211,41 @@ void Builder::start_triangles(const HalfEdges& plane, std::uint32_t base) {
 
 std::uint32_t Builder::first_apex() const {
   detail::Simplex<3> tet = mesh_.vertices[0];
-  for (std::uint32_t h = 0; h < second_.size(); ++h) {
-    const std::uint32_t b = second_.target(h);
-    if (tet[3] == kNone || (b != tet[3] && detail::in_ball(predicates_, tet, b) > 0)) tet[3] = b;
-  }
+  tet[3] = candidates_[0];
+  for (const std::uint32_t b : candidates_.subspan(1))
+    if (detail::in_ball(predicates_, tet, b) > 0) tet[3] = b;
   return tet[3];
 }
 
 /// Some neighbour of b that is beyond the facet; kNone if there is none.
-std::uint32_t Builder::spoke_beyond(std::uint32_t a1, std::uint32_t a2, std::uint32_t b) {
+std::uint32_t Builder::spoke_beyond(const Facet& facet, std::uint32_t b) {
   const std::uint32_t start = spoke_[b];
   std::uint32_t h = start;
   do {
-    if (is_beyond(a1, a2, b, second_.target(h))) return h;
+    if (facet.is_beyond(second_.target(h))) return h;
     h = second_.turned_left(h);
-    if (patience_ != 0) --patience_;
+    ++turns_;
   } while (h != kNone && h != start);
   if (h == start) return kNone;
-  for (h = second_.turned_right(start); h != kNone; h = second_.turned_right(h)) {
-    if (is_beyond(a1, a2, b, second_.target(h))) return h;
-    if (patience_ != 0) --patience_;
-  }
+  for (h = second_.turned_right(start); h != kNone; h = second_.turned_right(h), ++turns_)
+    if (facet.is_beyond(second_.target(h))) return h;
   return kNone;
 }
 
 /// The neighbour of b that a growing sphere through the facet meets first.
-std::uint32_t Builder::best_spoke(std::uint32_t a1, std::uint32_t a2, std::uint32_t b) {
-  std::uint32_t best = spoke_beyond(a1, a2, b);
+std::uint32_t Builder::best_spoke(Facet& facet, std::uint32_t b) {
+  std::uint32_t best = spoke_beyond(facet, b);
   if (best == kNone) return kNone;
+  facet.take(second_.target(best));
   const auto is_better = [&](std::uint32_t h) {
-    if (h == kNone) return false;
-    if (patience_ != 0) --patience_;
-    const std::uint32_t v = second_.target(h);
-    return is_beyond(a1, a2, b, v) &&
-           detail::in_ball(predicates_, detail::Simplex<3>{a1, a2, b, second_.target(best)}, v) > 0;
+    ++turns_;
+    return h != kNone && facet.is_beyond(second_.target(h)) && facet.is_in_sphere(second_.target(h));
   };
-  bool moved = false;
-  for (std::uint32_t h = second_.turned_left(best); is_better(h); h = second_.turned_left(h))
-    best = h, moved = true;
-  if (!moved)
-    for (std::uint32_t h = second_.turned_right(best); is_better(h); h = second_.turned_right(h)) best = h;
+  const auto take = [&](std::uint32_t h) { facet.take(second_.target(best = h)); };
+  const std::uint32_t start = best;
+  for (std::uint32_t h = second_.turned_left(best); is_better(h); h = second_.turned_left(h)) take(h);
+  if (best == start)
+    for (std::uint32_t h = second_.turned_right(best); is_better(h); h = second_.turned_right(h)) take(h);
   return spoke_[b] = best;
 }
 
@@ -196,11 +270,11 @@ bool Builder::walk(std::uint32_t h, std::uint32_t& apex) {
   const bool ends = !first_.has_triangle(across);
   const std::uint32_t right = ends ? kNone : first_.target(next_in_triangle(across));
   std::uint32_t t = h / 3, slot = slot_across(h), b = apex;
-  while (patience_ != 0) {
-    const std::uint32_t spoke = best_spoke(a1, a2, b);
+  while (turns_ < kTurns * (mesh_.size() + std::size_t{64})) {
+    Facet facet(predicates_, a1, a2, b);
+    const std::uint32_t spoke = best_spoke(facet, b);
     if (spoke == kNone && ends) return apex = b, true;
-    if (spoke == kNone || (!ends && detail::in_ball(predicates_, detail::Simplex<3>{a1, a2, b, right},
-                                                    second_.target(spoke)) < 0)) {
+    if (spoke == kNone || (!ends && facet.is_in_sphere(right))) {
       link(t, slot, across / 3, slot_across(across));
       return apex = b, true;
     }

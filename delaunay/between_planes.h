@@ -45,9 +45,10 @@ struct BetweenPlanes {
   std::vector<std::array<std::uint32_t, 2>> edges;
 };
 
-/// False if it is not found in time linear in its size (vertices of large degree in the way of many edges),
-/// or if the triangulations don't fit. REQUIRES: points are distinct, each on one of the planes alone, and
-/// there are triangles in both; the points of a plane are all strictly on one side of the other.
+/// False if that takes far more than linear time in the tetrahedra (vertices of large degree that are turned
+/// around again and again), or if the triangulations don't fit. REQUIRES: points are distinct, each on one of
+/// the planes alone, and there are triangles in both; the points of a plane are all strictly on one side of
+/// the other.
 bool delaunay_between_planes(std::span<const LatticePoint> points, const std::array<PlaneSide, 2>& planes,
                              BetweenPlanes& result);
 
