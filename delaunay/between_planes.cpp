@@ -161,7 +161,7 @@ class Builder {
   std::uint32_t spoke_beyond(const Facet& facet, std::uint32_t b);
   std::uint32_t best_spoke(Facet& facet, std::uint32_t b);
   bool spread_over_first();
-  bool walk(std::uint32_t h, std::uint32_t& apex);
+  bool walk(std::uint32_t h);
   std::uint32_t add_step(std::uint32_t h, std::uint32_t spoke);
   bool join_steps();
   bool join_steps_of(std::uint32_t h);
@@ -263,20 +263,25 @@ std::uint32_t Builder::add_step(std::uint32_t h, std::uint32_t spoke) {
   return t;
 }
 
-/// The fan of the edge, from the tetrahedron at the triangle on the left of h. `apex`: of that triangle, then
-/// of the one on the right.
-bool Builder::walk(std::uint32_t h, std::uint32_t& apex) {
+/// The fan of the edge, from the tetrahedron at the triangle on the left of h. Where the apex of the one on
+/// the right is known, it ends there; else that is found.
+bool Builder::walk(std::uint32_t h) {
   const std::uint32_t a1 = first_.source(h), a2 = first_.target(h), across = first_.twin(h);
   const bool ends = !first_.has_triangle(across);
   const std::uint32_t right = ends ? kNone : first_.target(next_in_triangle(across));
-  std::uint32_t t = h / 3, slot = slot_across(h), b = apex;
+  std::uint32_t t = h / 3, slot = slot_across(h), b = mesh_.vertices[t][3];
   while (turns_ < kTurns * (mesh_.size() + std::size_t{64})) {
+    if (!ends && mesh_.vertices[across / 3][3] == b)
+      return link(t, slot, across / 3, slot_across(across)), true;
     Facet facet(predicates_, a1, a2, b);
     const std::uint32_t spoke = best_spoke(facet, b);
-    if (spoke == kNone && ends) return apex = b, true;
+    if (spoke == kNone && ends) return true;
     if (spoke == kNone || (!ends && facet.is_in_sphere(right))) {
-      link(t, slot, across / 3, slot_across(across));
-      return apex = b, true;
+      std::uint32_t& apex = mesh_.vertices[across / 3][3];
+      if (apex != kNone) return false;
+      apex = b;
+      pending_.push_back(across / 3);
+      continue;
     }
     const std::uint32_t u = add_step(h, spoke);
     link(t, slot, u, 3);
@@ -292,24 +297,8 @@ bool Builder::spread_over_first() {
   while (!pending_.empty()) {
     const std::uint32_t t = pending_.back();
     pending_.pop_back();
-    for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
-      if (mesh_.neighbours[t][slot_across(h)] != kNone) continue;
-      const std::uint32_t across = first_.twin(h);
-      std::uint32_t apex = mesh_.vertices[t][3];
-      if (!first_.has_triangle(across)) {
-        if (!walk(h, apex)) return false;
-        continue;
-      }
-      std::uint32_t& other = mesh_.vertices[across / 3][3];
-      if (other == apex) {
-        link(t, slot_across(h), across / 3, slot_across(across));
-        continue;
-      }
-      const std::uint32_t expected = other;
-      if (!walk(h, apex) || (expected != kNone && expected != apex)) return false;
-      mesh_.vertices[across / 3][3] = apex;
-      if (expected == kNone) pending_.push_back(across / 3);
-    }
+    for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h)
+      if (mesh_.neighbours[t][slot_across(h)] == kNone && !walk(h)) return false;
   }
   return true;
 }
@@ -376,8 +365,10 @@ bool Builder::spread_over_second() {
 
 bool Builder::run() {
   const std::uint32_t triangles = first_.triangle_count() + second_.triangle_count();
-  mesh_.vertices.reserve(triangles + triangles / 2);
-  mesh_.neighbours.reserve(triangles + triangles / 2);
+  mesh_.vertices.reserve(2 * std::size_t{triangles});
+  mesh_.neighbours.reserve(2 * std::size_t{triangles});
+  steps_.reserve(triangles);
+  result_.edges.reserve(triangles);
   mesh_.vertices.resize(triangles);
   mesh_.neighbours.resize(triangles, {kNone, kNone, kNone, kNone});
   start_triangles(first_, 0);
