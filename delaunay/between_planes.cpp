@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "../geom/inline_filters.h"
 #include "../geom/lifted_row.h"
 #include "../geom/static_bounds.h"
 #include "perturbation.h"
@@ -102,7 +103,7 @@ class Facet {
     pq_ = minors(p_, q_);
   }
   bool is_beyond(std::uint32_t v) const {
-    const double det = dot(normal_, from_b(v));
+    const double det = kInlineFilters ? dot(normal_, from_b(v)) : 0;
     if (std::fabs(det) > predicates_.bounds().orient3d) [[likely]]
       return det > 0;
     return predicates_.orient3d(corners_[0], corners_[1], corners_[2], v) > 0;
@@ -119,7 +120,7 @@ class Facet {
     const LiftedRow s(d, dot(d, d));
     const filters::Lanes sum =
         (both(pq_, minors(r_, s)) - both(pr_, minors(q_, s))) + both(minors(p_, s), qr_);
-    const double det = sum[0] + sum[1];
+    const double det = kInlineFilters ? sum[0] + sum[1] : 0;
     if (std::fabs(det) > predicates_.bounds().insphere) [[likely]]
       return det > 0;
     return detail::in_ball(predicates_, corners_, v) > 0;
