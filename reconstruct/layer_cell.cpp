@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 
 #include "../delaunay/between_planes.h"
 
@@ -43,21 +44,26 @@ class LayerBuilder {
       numbers_;  ///< by local vertex of the face: its vertex in the cell
 };
 
+/// Local vertices by their numbers; nothing if they are in that order, as most are but for splits and
+/// samples.
+std::vector<std::uint32_t> order_of(std::span<const std::uint32_t> numbers) {
+  std::vector<std::uint32_t> order;
+  if (std::is_sorted(numbers.begin(), numbers.end())) return order;
+  order.resize(numbers.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::sort(order.begin(), order.end(),
+            [&](std::uint32_t a, std::uint32_t b) { return numbers[a] < numbers[b]; });
+  return order;
+}
+
 /// False if the faces share one.
 bool LayerBuilder::merge_vertices(std::span<const LatticePoint> points) {
-  struct Entry {
-    std::uint32_t number, side, local;
+  const std::array<std::span<const std::uint32_t>, 2> lists{faces_[pair_[0]].numbers,
+                                                            faces_[pair_[1]].numbers};
+  const std::array<std::vector<std::uint32_t>, 2> orders{order_of(lists[0]), order_of(lists[1])};
+  const auto local = [&](std::size_t side, std::size_t at) {
+    return orders[side].empty() ? static_cast<std::uint32_t>(at) : orders[side][at];
   };
-  std::array<std::vector<Entry>, 2> lists;
-  for (std::uint32_t side = 0; side < 2; ++side) {
-    const std::span<const std::uint32_t> numbers = faces_[pair_[side]].numbers;
-    numbers_[side].resize(numbers.size());
-    lists[side].reserve(numbers.size());
-    for (std::uint32_t v = 0; v < numbers.size(); ++v) lists[side].push_back({numbers[v], side, v});
-    const auto less = [](const Entry& a, const Entry& b) { return a.number < b.number; };
-    if (!std::is_sorted(lists[side].begin(), lists[side].end(), less))
-      std::sort(lists[side].begin(), lists[side].end(), less);
-  }
   const std::size_t size = lists[0].size() + lists[1].size();
   CellComplex& complex = cell_.complex;
   complex.vertex_count = static_cast<std::uint32_t>(size);
@@ -65,19 +71,21 @@ bool LayerBuilder::merge_vertices(std::span<const LatticePoint> points) {
   complex.face_masks.assign(size * complex.words, 0);
   cell_.vertices.reserve(size);
   points_.reserve(size);
+  for (std::size_t side = 0; side < 2; ++side) numbers_[side].resize(lists[side].size());
   std::array<std::size_t, 2> at{};
-  while (at[0] < lists[0].size() || at[1] < lists[1].size()) {
-    const bool first = at[1] == lists[1].size() ||
-                       (at[0] < lists[0].size() && lists[0][at[0]].number < lists[1][at[1]].number);
-    const std::size_t side = first ? 0 : 1;
-    const Entry& entry = lists[side][at[side]++];
-    if (!cell_.vertices.empty() && cell_.vertices.back() == entry.number) return false;
-    const std::size_t v = cell_.vertices.size(), f = pair_[side];
-    complex.face_masks[v * complex.words + f / 64] = std::uint64_t{1} << (f % 64);
-    numbers_[side][entry.local] = static_cast<std::uint32_t>(v);
-    cell_.vertices.push_back(entry.number);
-    points_.push_back(points[entry.number]);
+  const auto next = [&](std::size_t side) {
+    return at[side] < lists[side].size() ? lists[side][local(side, at[side])] : kNone;
+  };
+  for (std::uint32_t v = 0; v < size; ++v) {
+    const std::uint32_t first = next(0), second = next(1);
+    if (first == second) return false;
+    const std::size_t side = first < second ? 0 : 1, f = pair_[side];
+    numbers_[side][local(side, at[side]++)] = v;
+    complex.face_masks[std::size_t{v} * complex.words + f / 64] = std::uint64_t{1} << (f % 64);
+    cell_.vertices.push_back(std::min(first, second));
   }
+  // By itself, as each is a miss of the cache: they don't wait for each other so.
+  for (const std::uint32_t number : cell_.vertices) points_.push_back(points[number]);
   return true;
 }
 
