@@ -141,16 +141,12 @@ class JoinStudy : public Observer {
     arrangement_.emplace(arrangement);
     field_.emplace(section_field(graph));
   }
-  void on_face(const FaceTriangulation&, const Numbering& numbering) override {
-    if (numbering_.points.size() != numbering.points.size()) numbering_ = numbering;
-  }
-
   void on_cell(CellId id, const BuiltCell& built, const PruneResult&) override {
     if (built.complex.mesh.size() == 0) return;
     std::vector<FaceId> faces;
     for (const FaceId f : arrangement_->faces_of(id))
       if (!arrangement_->on_box(f)) faces.push_back(f);
-    const CellShape shape = cell_shape(*arrangement_, id, faces, built, numbering_);
+    const CellShape shape = cell_shape(*arrangement_, id, faces, built);
     CellUnderStudy cell{built.complex, shape, Ground(built.complex), without_external(built.complex), {}};
     cell.body = bodies(built, cell.ground);
     if (cell.ground.part_count() > 1) study(cell);
@@ -159,9 +155,7 @@ class JoinStudy : public Observer {
  private:
   /// By ground triangle. A cell is convex: the mean of its vertices is within.
   std::vector<std::uint32_t> bodies(const BuiltCell& built, const Ground& ground) const {
-    const auto place = [&](std::uint32_t v) {
-      return grid_->from_lattice(numbering_.points[built.vertices[v]]);
-    };
+    const auto place = [&](std::uint32_t v) { return grid_->from_lattice(built.points[v]); };
     Vec3 middle;
     for (std::uint32_t v = 0; v < built.vertices.size(); ++v)
       middle = middle + (1 / static_cast<double>(built.vertices.size())) * place(v);
@@ -198,7 +192,6 @@ class JoinStudy : public Observer {
   Decisions& decisions_;
   std::optional<WorldGrid> grid_;  // copies: what an observer sees is valid during its call
   std::optional<Arrangement> arrangement_;
-  Numbering numbering_;
   std::optional<SectionField> field_;
 };
 

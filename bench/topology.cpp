@@ -2,7 +2,7 @@
 // sets of planes, all contour vertices kept, reconstructs in every mode and compares with the mesh that was
 // cut.
 //
-//   bench_topology [--first N] [--seeds N] [--case TEXT] [--rays N] [--divide] [--look-around]
+//   bench_topology [--first N] [--seeds N] [--case TEXT] [--rays N] [--divide WHERE] [--look-around WHERE]
 //                 [--branching all|auto|off] [--verbose] [MODE...]      default: seeds 1 to 10, all cases,
 //                 128 rays, modes joint and natural
 //
@@ -162,9 +162,11 @@ bool read_mode(const std::string& word, Arguments& arguments) {
   return false;
 }
 
-bool read_branching(const std::string& word, Branching& mode) {
+/// Of Branching and InCells.
+template <class Where>
+bool read_where(const std::string& word, Where& where) {
   if (word != "all" && word != "auto" && word != "off") return false;
-  mode = word == "all" ? Branching::all : word == "off" ? Branching::off : Branching::automatic;
+  where = word == "all" ? Where::all : word == "off" ? Where::off : Where::automatic;
   return true;
 }
 
@@ -172,12 +174,12 @@ bool read_arguments(int count, char** words, Arguments& arguments) {
   for (int i = 1; i < count; ++i) {
     const std::string word = words[i];
     const bool last = i + 1 == count;
-    if (word == "--look-around") {
-      arguments.options.natural.look_around = true;
-    } else if (word == "--divide") {
-      arguments.options.natural.divide = true;
+    if (word == "--look-around" && !last) {
+      if (!read_where(words[++i], arguments.options.natural.look_around)) return false;
+    } else if (word == "--divide" && !last) {
+      if (!read_where(words[++i], arguments.options.natural.divide)) return false;
     } else if (word == "--branching" && !last) {
-      if (!read_branching(words[++i], arguments.options.branching.mode)) return false;
+      if (!read_where(words[++i], arguments.options.branching.mode)) return false;
     } else if (word == "--verbose") {
       arguments.verbose = true;
     } else if (word == "--seeds" && !last) {
@@ -202,10 +204,10 @@ bool read_arguments(int count, char** words, Arguments& arguments) {
 int main(int count, char** words) {
   Arguments arguments;
   if (!read_arguments(count, words, arguments)) {
-    std::fprintf(
-        stderr,
-        "usage: bench_topology [--first N] [--seeds N] [--case TEXT] [--rays N] [--divide] [--look-around] "
-        "[--branching all|auto|off] [--verbose] [MODE...]\n");
+    std::fprintf(stderr,
+                 "usage: bench_topology [--first N] [--seeds N] [--case TEXT] [--rays N] [--divide WHERE] "
+                 "[--look-around WHERE] "
+                 "[--branching all|auto|off] [--verbose] [MODE...]\n");
     return 2;
   }
   for (const bench::TopologyCase& c : bench::topology_cases())

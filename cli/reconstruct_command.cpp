@@ -26,7 +26,7 @@ namespace {
 
 struct Arguments {
   std::string input, surface, solid, report, sections, picture, drawings;
-  std::string mode = "natural", branching = "auto";
+  std::string mode = "natural";
   Options options;
   PictureOptions view;
   unsigned threads = 0;
@@ -45,10 +45,6 @@ std::vector<std::string> mode_names() {
 /// REQUIRES: one of mode_names().
 PruneMode mode_named(const std::string& name) {
   return *std::find_if(kModes.begin(), kModes.end(), [&](PruneMode mode) { return name == name_of(mode); });
-}
-
-Branching branching_named(const std::string& name) {
-  return name == "off" ? Branching::off : name == "all" ? Branching::all : Branching::automatic;
 }
 
 /// The files that were asked for, one after the other; each appears whole or not at all.
@@ -75,7 +71,6 @@ ExitCode run(Arguments arguments) {
   Terminal terminal(arguments.quiet);
   const Context context = terminal.context(arguments.threads);
   arguments.options.mode = mode_named(arguments.mode);
-  arguments.options.branching.mode = branching_named(arguments.branching);
   if (auto outputs = check_outputs({arguments.input}, {arguments.surface, arguments.solid, arguments.report,
                                                        arguments.sections, arguments.picture});
       !outputs)
@@ -107,6 +102,20 @@ ExitCode run(Arguments arguments) {
   return kGood;
 }
 
+/// Of Branching or InCells.
+template <class Where>
+void add_where(CLI::App& command, const char* name, Where& where, const char* help) {
+  command
+      .add_option_function<std::string>(
+          name,
+          [&where](const std::string& word) {
+            where = word == "off" ? Where::off : word == "all" ? Where::all : Where::automatic;
+          },
+          help)
+      ->default_str("auto")
+      ->check(CLI::IsMember({"off", "auto", "all"}));
+}
+
 void add_natural_options(CLI::App& command, NaturalOptions& natural) {
   const auto add_confidence = [&](const char* name, double& value, const char* help) {
     command.add_option(name, value, help)->capture_default_str()->check(CLI::Range(-1.0, 1.0));
@@ -125,13 +134,13 @@ void add_natural_options(CLI::App& command, NaturalOptions& natural) {
                   "natural: weight of a small surface against a likely volume")
       ->capture_default_str()
       ->check(CLI::Range(0.0, kLargestSmoothWeight));
-  command.add_flag(
-      "--divide", natural.divide,
-      "natural: points inside cells, where sections can't be joined or much is lost without: slower");
-  command.add_flag(
-      "--look-around", natural.look_around,
-      "natural: where it is in doubt whether sections are joined in a cell, ask the planes around "
-      "it: for few planes, slower");
+  add_where(
+      command, "--divide", natural.divide,
+      "natural: points inside cells, where sections can't be joined or much is lost without: auto where "
+      "planes meet in the cell");
+  add_where(command, "--look-around", natural.look_around,
+            "natural: where it is in doubt whether sections are joined in a cell, ask the planes around it: "
+            "auto where planes meet in the cell");
 }
 
 /// What is done so that the solid has all of its sections and touches itself nowhere.
@@ -231,12 +240,9 @@ void add_reconstruct(CLI::App& program, ExitCode& outcome) {
       ->capture_default_str()
       ->check(CLI::IsMember(mode_names()));
   add_natural_options(*command, a.options.natural);
-  command
-      ->add_option("--branching", a.branching,
-                   "samples where a section branches: auto where it faces several others, all of the "
-                   "branching diagram")
-      ->capture_default_str()
-      ->check(CLI::IsMember({"off", "auto", "all"}));
+  add_where(*command, "--branching", a.options.branching.mode,
+            "samples where a section branches: auto where it faces several others, all of the branching "
+            "diagram");
   command->add_flag("--cutting", a.options.branching.cutting, "also samples of the cutting diagram");
   add_tolerances(*command, a);
   add_embedding(*command, a.options);

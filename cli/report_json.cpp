@@ -79,8 +79,10 @@ Json to_json(const UnmatchedCrossing& u) {
   return {{"plane", u.plane}, {"other_plane", u.other_plane}, {"point", {u.x, u.y, u.z}}};
 }
 
-const char* branching_name(Branching mode) {
-  return mode == Branching::off ? "off" : mode == Branching::all ? "all" : "auto";
+/// Of Branching and InCells.
+template <class Where>
+const char* name_of(Where where) {
+  return where == Where::off ? "off" : where == Where::all ? "all" : "auto";
 }
 
 Json to_json(const Options& o) {
@@ -89,9 +91,9 @@ Json to_json(const Options& o) {
           {"alone_confidence", o.natural.alone_confidence},
           {"cavity_confidence", o.natural.cavity_confidence},
           {"smooth_weight", o.natural.smooth_weight},
-          {"divide", o.natural.divide},
-          {"look_around", o.natural.look_around},
-          {"branching", branching_name(o.branching.mode)},
+          {"divide", name_of(o.natural.divide)},
+          {"look_around", name_of(o.natural.look_around)},
+          {"branching", name_of(o.branching.mode)},
           {"cutting", o.branching.cutting},
           {"match_tolerance", o.match_tolerance},
           {"plane_tolerance", o.plane_tolerance},

@@ -9,7 +9,7 @@
 namespace crossloft::cli {
 
 /// Grows by one with every change that an old reader would stumble over.
-inline constexpr int kReportVersion = 1;
+inline constexpr int kReportVersion = 2;
 
 struct ReportOrigin {
   std::string input;  ///< as the user named it

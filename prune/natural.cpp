@@ -88,7 +88,7 @@ class NaturalPruning {
 
   /// Not where the user has decided: of single sections, or by a limit that leaves no doubt.
   bool may_doubt() const {
-    return options_.look_around && shape_.field != nullptr && requests_.wishes.empty() &&
+    return options_.look_around != InCells::off && shape_.field != nullptr && requests_.wishes.empty() &&
            is_in_doubt(limits_.join) && ground_.part_count() > 1;
   }
 

@@ -15,6 +15,10 @@ namespace crossloft {
 
 inline constexpr double kLargestSmoothWeight = 1e9;
 
+/// In which cells something is done that takes time. `automatic`: where planes meet. Between two planes that
+/// do not, as in a stack of slices, sections lie face to face and nothing was gained by it.
+enum class InCells : std::uint8_t { off, automatic, all };
+
 /// Confidences are -1..1, the weight 0..kLargestSmoothWeight.
 struct NaturalOptions {
   double join_confidence = -0.03;  ///< two sections are joined where the best way between them has this
@@ -23,10 +27,12 @@ struct NaturalOptions {
   double cavity_confidence = 0;    ///< a cavity is opened where a wall is less sure than this, and nothing
                                    ///< less sure is built there; -1: cavities stay
   double smooth_weight = 1;        ///< of a small surface against a likely volume
-  bool divide = false;             ///< tetrahedra that are lost for an edge outside may be divided by
-                                   ///< points inside the cell (interior_places.h)
-  bool look_around = false;        ///< joins in doubt by the planes around the cell (likely_joins.h), if its
-                                   ///< shape has them; else a cell is pruned by itself
+  /// Tetrahedra that are lost for an edge outside are divided by points inside the cell, before it is pruned
+  /// (interior_places.h).
+  InCells divide = InCells::automatic;
+  /// Joins in doubt are decided by the planes around the cell (likely_joins.h), if its shape has them; else a
+  /// cell is pruned by itself.
+  InCells look_around = InCells::automatic;
 };
 
 /// What happened in a cell.
@@ -57,7 +63,7 @@ struct NaturalResult {
 
 /// (1) Confidences of the tetrahedra of R1 (confidence.h). (2) The cheapest subset of R1 (energy.h). (3)
 /// Where that has handles, holes, domes or joins that are not sure: growth from the sections within it by
-/// moves that make no handle (simple_growth.h), and its cracks filled. (4) If asked, and the shape has a
+/// moves that make no handle (simple_growth.h), and its cracks filled. (4) If the shape has a
 /// field: joins in doubt are decided by it, with growth again where that changes any (likely_joins.h). The
 /// result depends on the tetrahedra and vertex numbers alone, and on the field. REQUIRES: the ground is the
 /// complex's.

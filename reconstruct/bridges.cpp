@@ -27,9 +27,8 @@ Triangle side_of(const Tet& piece, std::size_t i) {
 
 class BridgeFinder {
  public:
-  BridgeFinder(const BuiltCell& cell, const Ground& ground, const std::vector<std::uint8_t>& kept,
-               std::span<const LatticePoint> points)
-      : cell_(cell), points_(points), fans_(broken_fans(cell.complex, ground, kept)) {}
+  BridgeFinder(const BuiltCell& cell, const Ground& ground, const std::vector<std::uint8_t>& kept)
+      : cell_(cell), fans_(broken_fans(cell.complex, ground, kept)) {}
 
   CellBridges run() {
     for (const BrokenFan& fan : fans_)
@@ -69,7 +68,9 @@ class BridgeFinder {
   }
 
   const LatticePoint& point(std::uint32_t number) const {
-    return number < kFirstBridgePoint ? points_[number] : result_.points[number - kFirstBridgePoint];
+    if (number >= kFirstBridgePoint) return result_.points[number - kFirstBridgePoint];
+    const auto place = std::lower_bound(cell_.vertices.begin(), cell_.vertices.end(), number);
+    return cell_.points[static_cast<std::size_t>(place - cell_.vertices.begin())];
   }
 
   /// A weighted mean of the corners, mostly of the edge's ends; rounded to the grid.
@@ -78,7 +79,7 @@ class BridgeFinder {
     std::sort(corners.begin(), corners.end());
     Vec3 sum{0, 0, 0};
     for (const std::uint32_t v : corners) {
-      const LatticePoint& p = points_[cell_.vertices[v]];
+      const LatticePoint& p = cell_.points[v];
       const bool at_edge = is_end(v, edge);
       sum = sum +
             (at_edge ? (1 - kThickness) / 2 : kThickness / static_cast<double>(N - 2)) * Vec3{p.x, p.y, p.z};
@@ -177,7 +178,6 @@ class BridgeFinder {
   }
 
   const BuiltCell& cell_;
-  std::span<const LatticePoint> points_;
   const std::vector<BrokenFan> fans_;
   std::map<std::uint32_t, std::vector<Edge>> edges_;                 ///< by tetrahedron: whose gaps it is in
   std::map<std::pair<std::uint32_t, Edge>, std::uint32_t> centres_;  ///< by centre_key(): number
@@ -187,9 +187,8 @@ class BridgeFinder {
 
 }  // namespace
 
-CellBridges find_bridges(const BuiltCell& cell, const Ground& ground, const std::vector<std::uint8_t>& kept,
-                         std::span<const LatticePoint> points) {
-  return BridgeFinder(cell, ground, kept, points).run();
+CellBridges find_bridges(const BuiltCell& cell, const Ground& ground, const std::vector<std::uint8_t>& kept) {
+  return BridgeFinder(cell, ground, kept).run();
 }
 
 bool BuiltBridges::fits(const Bridge& bridge) const {

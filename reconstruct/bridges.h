@@ -44,8 +44,7 @@ struct CellBridges {
 /// gap too thin for the grid has no pieces, and none has one that ends at a section triangle with a side
 /// outside of another section. Pieces of different bridges of a cell are equal or do not overlap. O(n log n).
 /// REQUIRES: the ground is that of the cell's complex.
-CellBridges find_bridges(const BuiltCell& cell, const Ground& ground, const std::vector<std::uint8_t>& kept,
-                         std::span<const LatticePoint> points);
+CellBridges find_bridges(const BuiltCell& cell, const Ground& ground, const std::vector<std::uint8_t>& kept);
 
 /// Those bridges of one cell that are built.
 class BuiltBridges {

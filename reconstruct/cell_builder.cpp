@@ -53,6 +53,7 @@ void CellBuilder::sort_vertices(const CellTriangulation& triangulation) {
   complex.mesh = triangulation.mesh();
   if (std::is_sorted(from.numbers.begin(), from.numbers.end())) {
     cell_.vertices = from.numbers;
+    cell_.points = from.points;
     complex.face_masks = from.face_masks;
     return;
   }
@@ -63,6 +64,7 @@ void CellBuilder::sort_vertices(const CellTriangulation& triangulation) {
   for (std::uint32_t k = 0; k < order.size(); ++k) {
     place[order[k]] = k;
     cell_.vertices.push_back(from.numbers[order[k]]);
+    cell_.points.push_back(from.points[order[k]]);
     for (std::uint32_t w = 0; w < from.words; ++w) complex.face_masks.push_back(from.mask(order[k], w));
   }
   for (auto& tet : complex.mesh.vertices)

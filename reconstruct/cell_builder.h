@@ -18,6 +18,7 @@ struct GroundTriangle {
 
 struct BuiltCell {
   std::vector<std::uint32_t> vertices;  ///< final numbers, ascending; local number = position
+  std::vector<LatticePoint> points;     ///< in step
   CellComplex complex;
   /// The triangles under the internal facets, in the order of tetrahedra and slots: by number in
   /// prune/ground.h.

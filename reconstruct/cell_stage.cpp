@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "../prune/confidence.h"
-#include "../prune/interior_places.h"
 #include "../prune/solidity.h"
 #include "../prune/star.h"
 #include "../prune/verify.h"
@@ -118,30 +117,18 @@ void Pipeline::cover_finally() {
   }
 }
 
-/// Notes where points inside the cell are wanted. True if it is not to be pruned before they have come.
-bool Pipeline::wait_for_points(const BuiltCell& cell, const Ground& ground, const CellShape& shape,
-                               std::span<const FaceId> ids, CellState& state) const {
-  state.places.clear();
-  if (!points_may_come_) return false;
-  state.places = interior_places(cell.complex, shape, ground, as_integer(options_.natural.alone_confidence));
-  return !state.places.empty() && !(samples_may_come_ && is_near_branching(ids));
-}
-
-PruneResult Pipeline::prune_built(std::span<const CellFace> faces, const BuiltCell& cell,
-                                  const Ground& ground, const CellShape& shape,
-                                  const CellRequests& asked) const {
-  if (options_.mode != PruneMode::natural) return prune(cell.complex, ground, {}, {options_.mode, {}}, {});
-  CellRequests requests = by_local_numbers(asked, cell);
-  requests.wishes = cell_wishes(options_.joins, faces, cell);
-  return prune(cell.complex, ground, shape, {options_.mode, options_.natural}, requests);
+PruneResult Pipeline::prune_built(const CellInHand& hand, const CellRequests& asked) const {
+  const CellComplex& complex = hand.built.complex;
+  if (options_.mode != PruneMode::natural) return prune(complex, *hand.ground, {}, {options_.mode, {}}, {});
+  CellRequests requests = by_local_numbers(asked, hand.built);
+  requests.wishes = cell_wishes(options_.joins, hand.faces, hand.built);
+  return prune(complex, *hand.ground, hand.shape, {options_.mode, options_.natural}, requests);
 }
 
 /// Joins by places instead of the cell's vertices.
 void Pipeline::report_topology(const BuiltCell& cell, const NaturalReport& natural,
                                CellReport& report) const {
-  const auto place = [&](std::uint32_t v) {
-    return framed_.grid.from_lattice(numbering_.points[cell.vertices[v]]);
-  };
+  const auto place = [&](std::uint32_t v) { return framed_.grid.from_lattice(cell.points[v]); };
   const auto share = [](std::int32_t confidence) { return static_cast<double>(confidence) / kCertain; };
   report.topology = natural.after;
   report.genus_before = natural.before.genus;
@@ -174,11 +161,10 @@ Result<Done> Pipeline::check_layer(std::span<const CellFace> faces, const BuiltC
 }
 
 /// Points inside the cell need a triangulation that takes them.
-Result<BuiltCell> Pipeline::build(std::span<const CellFace> faces, CellState& state) const {
-  if (state.interior.empty()) {
+Result<BuiltCell> Pipeline::triangulate(std::span<const CellFace> faces, CellState& state) const {
+  if (state.inside.empty()) {
     Stopwatch watch;
-    auto layer = build_layer_cell(faces, numbering_.points);
-    if (layer) {
+    if (auto layer = build_layer_cell(faces, numbering_.points)) {
       state.delaunay_seconds += watch.lap();
       state.triangulation.reset();
       if (auto good = check_layer(faces, *layer); !good) return good.error();
@@ -186,56 +172,75 @@ Result<BuiltCell> Pipeline::build(std::span<const CellFace> faces, CellState& st
     }
   }
   if (!state.triangulation) state.triangulation = std::make_unique<CellTriangulation>(faces.size());
-  const double before = state.triangulation->seconds();
-  if (auto done = state.triangulation->add(faces, numbering_.points, state.interior); !done)
+  CellTriangulation& triangulation = *state.triangulation;
+  const double before = triangulation.seconds();
+  if (auto done = triangulation.add(faces, numbering_.points); !done) return done.error();
+  const std::size_t known = triangulation.inside_count();
+  std::vector<LatticePoint> inside;
+  for (std::size_t k = known; k < state.inside.size(); ++k) inside.push_back(state.inside[k].point);
+  if (auto done = triangulation.add_inside(inside, std::span(state.interior).subspan(known)); !done)
     return done.error();
-  state.delaunay_seconds += state.triangulation->seconds() - before;
-  return build_cell(faces, *state.triangulation, *line_edges_, numbering_.graph_vertex);
+  state.delaunay_seconds += triangulation.seconds() - before;
+  return build_cell(faces, triangulation, *line_edges_, numbering_.graph_vertex);
+}
+
+/// Its triangulation takes in what it lacks. Without tetrahedra there is no more than that.
+Result<Done> Pipeline::build(CellInHand& hand, CellState& state) const {
+  auto built = triangulate(hand.faces, state);
+  if (!built) return built.error();
+  hand.built = std::move(built).value();
+  if (hand.built.complex.mesh.size() == 0) return Done{};
+  Stopwatch watch;
+  hand.ground.emplace(hand.built.complex);
+  if (options_.mode == PruneMode::natural)
+    hand.shape = cell_shape(*arrangement_, hand.id, hand.ids, hand.built);
+  state.pruning_seconds += watch.lap();
+  return Done{};
 }
 
 Result<Done> Pipeline::prune_cell(CellId id, CellState& state) {
-  const std::vector<FaceId> ids = inner_faces(id);
-  const std::vector<CellFace> faces = cell_faces(id, ids);
-  state.due = false;
-  if (!has_section(faces)) return Done{};
-  auto built = build(faces, state);
-  if (!built) return built.error();
-  BuiltCell& cell = *built;
-  if (cell.complex.mesh.size() == 0) return Done{};
+  CellInHand hand;
+  hand.id = id;
+  hand.ids = inner_faces(id);
+  hand.faces = cell_faces(id, hand.ids);
+  state.due = state.undivided = false;
+  if (!has_section(hand.faces)) return Done{};
+  if (auto done = build(hand, state); !done) return done;
+  if (hand.built.complex.mesh.size() == 0) return Done{};
+  if (auto done = divide(hand, state); !done) return done;
   Stopwatch watch;
-  const Ground ground(cell.complex);
-  CellShape shape;
-  if (options_.mode == PruneMode::natural) shape = cell_shape(*arrangement_, id, ids, cell, numbering_);
-  if (wait_for_points(cell, ground, shape, ids, state)) {
-    state.pruning_seconds += watch.lap();
-    return Done{};
-  }
-  shape.field = state.places.empty() ? field_.get() : nullptr;  // joins in doubt wait for the points
-  PruneResult pruned = prune_built(faces, cell, ground, shape, state.asked);
-  if (auto good = check_pruned(cell, pruned); !good) return good;
+  // Joins in doubt wait for the points.
+  const bool asks = is_in(options_.natural.look_around, id) && !state.undivided;
+  hand.shape.field = asks ? field_.get() : nullptr;
+  PruneResult pruned = prune_built(hand, state.asked);
+  if (auto good = check_pruned(hand.built, pruned); !good) return good;
+  report_topology(hand.built, pruned.natural, state.report);
+  state.pruning_seconds += watch.lap();
+  take_pruned(hand, pruned, state);
+  if (!may_take_samples(state, hand.faces) && !state.undivided) state.triangulation.reset();
+  if (observer_) state.built = std::move(hand.built), state.pruned = std::move(pruned);
+  return Done{};
+}
+
+void Pipeline::take_pruned(const CellInHand& hand, PruneResult& pruned, CellState& state) {
+  const BuiltCell& cell = hand.built;
   CellReport& report = state.report;
-  report.faces = static_cast<std::uint32_t>(faces.size());
+  report.faces = static_cast<std::uint32_t>(hand.faces.size());
   report.vertices = cell.complex.vertex_count;
   report.tets_r0 = pruned.r0, report.tets_r1 = pruned.r1, report.tets_r2 = pruned.r2,
   report.tets_r3 = pruned.r3;
   report.bad_links = pruned.natural.after.bad_links;
-  report_topology(cell, pruned.natural, report);
-  state.pruning_seconds += watch.lap();
   take_kept(cell, pruned.kept, state);
-  state.answers = by_final_numbers(std::move(pruned.answers), ids, cell);
-  if (options_.mode == PruneMode::natural)
-    state.bridges = find_bridges(cell, ground, pruned.kept, numbering_.points);
+  state.answers = by_final_numbers(std::move(pruned.answers), hand.ids, cell);
+  if (options_.mode == PruneMode::natural) state.bridges = find_bridges(cell, *hand.ground, pruned.kept);
   // Natural may leave a section no more than a spike that no solid subset would have: it lacks samples even
   // so. Where natural is solid and covers all, so does the largest solid subset.
   const CellTopology& topology = pruned.natural.after;
   const bool ask_joint =
-      samples_may_come_ && options_.mode == PruneMode::natural && is_near_branching(ids) &&
+      samples_may_come_ && options_.mode == PruneMode::natural && is_near_branching(hand.ids) &&
       !(topology.bare == 0 && topology.bad_links == 0 && has_ground_everywhere(cell.complex, pruned.kept));
-  cover(faces, ids,
+  cover(hand.faces, hand.ids,
         ask_joint ? ground_under(cell, prune(cell.complex, PruneMode::joint).kept) : state.ground);
-  if (!may_take_samples(state, faces) && state.places.empty()) state.triangulation.reset();
-  if (observer_) state.built = std::move(cell), state.pruned = std::move(pruned);
-  return Done{};
 }
 
 /// Whether samples may be wanted in a cell that has been pruned; what is covered from its other sides is not
@@ -323,8 +328,10 @@ Result<Done> Pipeline::add_samples() {
   for (std::uint32_t f = 0; f < samples.size(); ++f)
     if (!samples[f].empty())
       for (const CellId c : arrangement_->cells_of(FaceId{f})) cells_[c.value].due = true;
-  for (CellState& cell : cells_)
-    if (!cell.due && cell.places.empty()) cell.triangulation.reset();
+  for (CellState& cell : cells_) {
+    cell.due |= cell.undivided;
+    if (!cell.due) cell.triangulation.reset();
+  }
   const bool none =
       std::all_of(samples.begin(), samples.end(), [](const auto& list) { return list.empty(); });
   return none ? Result<Done>(Done{}) : refine_faces(samples);
@@ -333,21 +340,23 @@ Result<Done> Pipeline::add_samples() {
 /// Without samples first: automatic branching looks at what that leaves bare.
 Result<Done> Pipeline::fill_cells() {
   cells_.resize(arrangement_->cell_count());
-  if (options_.mode == PruneMode::natural && options_.natural.look_around)
+  const NaturalOptions& natural = options_.natural;
+  if (options_.mode == PruneMode::natural && natural.look_around != InCells::off)
     field_ = std::make_unique<LazySectionField>([this] { return section_field(graph_); });
-  points_may_come_ = options_.mode == PruneMode::natural && options_.natural.divide;
+  points_may_come_ = options_.mode == PruneMode::natural && natural.divide != InCells::off;
   const Branching mode = options_.branching.mode;
+  const bool takes_samples = mode != Branching::off || options_.branching.cutting;
   samples_may_come_ = mode == Branching::automatic;
   if (auto done = find_branching_cells(); !done) return done;
-  if (mode != Branching::all)
+  if (!takes_samples || samples_may_come_)
     if (auto done = prune_due_cells(); !done) return done;
   samples_may_come_ = false;
-  if (mode != Branching::off || options_.branching.cutting) {
+  if (takes_samples) {
     if (auto done = add_samples(); !done) return done;
     if (auto done = prune_due_cells(); !done) return done;
   }
-  if (points_may_come_)
-    if (auto done = divide_cells(); !done) return done;
+  points_may_come_ = false;
+  number_inside_points();
   for (CellState& cell : cells_) cell.triangulation.reset();
   drop_what_samples_need();
   build_bridges();

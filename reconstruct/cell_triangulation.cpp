@@ -30,14 +30,21 @@ bool CellPredicates::collinear(std::uint32_t a, std::uint32_t b, std::uint32_t c
   return shared >= 2 || crossloft::collinear(v_->points[a], v_->points[b], v_->points[c]);
 }
 
-Result<Done> CellTriangulation::add(std::span<const CellFace> faces, std::span<const LatticePoint> points,
-                                    std::span<const std::uint32_t> interior) {
+/// What has come since there were `first` vertices.
+Result<Done> CellTriangulation::insert_from(std::uint32_t first) {
+  predicates_.see_vertices();
+  if (first == 0)
+    delaunay_.build();
+  else
+    delaunay_.extend(first);
+  return self_check("Delaunay of a cell", [&] { return delaunay_.verify(); });
+}
+
+Result<Done> CellTriangulation::add(std::span<const CellFace> faces, std::span<const LatticePoint> points) {
   const auto begin = std::chrono::steady_clock::now();
   std::vector<std::uint32_t> known = vertices_.numbers, wanted, added;
   std::sort(known.begin(), known.end());
   for (const CellFace& face : faces) merge_into(wanted, face.numbers);
-  merge_into(wanted, interior);
-  if (!interior.empty()) vertices_.first_interior = interior.front();
   wanted.erase(std::unique(wanted.begin(), wanted.end()), wanted.end());
   std::set_difference(wanted.begin(), wanted.end(), known.begin(), known.end(), std::back_inserter(added));
   const std::uint32_t first = vertices_.size();
@@ -55,13 +62,24 @@ Result<Done> CellTriangulation::add(std::span<const CellFace> faces, std::span<c
       vertices_.face_masks[v * vertices_.words + f / 64] |= std::uint64_t{1} << (f % 64);
     }
   }
-  predicates_.see_vertices();
-  if (first == 0)
-    delaunay_.build();
-  else
-    delaunay_.extend(first);
+  auto done = insert_from(first);
   seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  return self_check("Delaunay of a cell", [&] { return delaunay_.verify(); });
+  return done;
+}
+
+Result<Done> CellTriangulation::add_inside(std::span<const LatticePoint> points,
+                                           std::span<const std::uint32_t> numbers) {
+  if (points.empty()) return Done{};
+  const auto begin = std::chrono::steady_clock::now();
+  inside_count_ += points.size();
+  const std::uint32_t first = vertices_.size();
+  vertices_.first_interior = std::min(vertices_.first_interior, numbers.front());
+  vertices_.numbers.insert(vertices_.numbers.end(), numbers.begin(), numbers.end());
+  vertices_.points.insert(vertices_.points.end(), points.begin(), points.end());
+  vertices_.face_masks.resize(vertices_.numbers.size() * vertices_.words, 0);
+  auto done = insert_from(first);
+  seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return done;
 }
 
 void CellTriangulation::renumber(std::span<const std::uint32_t> new_number) {

@@ -92,16 +92,17 @@ class CellTriangulation {
   CellTriangulation(const CellTriangulation&) = delete;
   CellTriangulation& operator=(const CellTriangulation&) = delete;
 
-  /// Inserts those vertices of the faces, and of the points inside the cell (`interior`, by number,
-  /// ascending), that are not in yet. `points` by number, which is lexicographic; those inside cells come
-  /// after all others.
+  /// Inserts those vertices of the faces that are not in yet. `points` by number, which is lexicographic.
   /// Error internal: a self check failed.
-  Result<Done> add(std::span<const CellFace> faces, std::span<const LatticePoint> points,
-                   std::span<const std::uint32_t> interior = {});
-  /// The vertices in get other numbers, in the same order: new_number[number].
+  Result<Done> add(std::span<const CellFace> faces, std::span<const LatticePoint> points);
+  /// Inserts points inside the cell. `numbers` in step and ascending, beyond those of all faces and of those
+  /// that are in. Error as above.
+  Result<Done> add_inside(std::span<const LatticePoint> points, std::span<const std::uint32_t> numbers);
+  /// The vertices in get other numbers, in the same order: new_number[number]. REQUIRES: all are on faces.
   void renumber(std::span<const std::uint32_t> new_number);
 
   const CellVertices& vertices() const { return vertices_; }
+  std::size_t inside_count() const { return inside_count_; }
   int dimension() const { return delaunay_.dimension(); }
   /// By local numbers: order of insertion; the vertices of the first add() are in order of their numbers.
   TetMesh mesh() const { return delaunay_.tet_mesh(); }
@@ -109,10 +110,13 @@ class CellTriangulation {
   double seconds() const { return seconds_; }
 
  private:
+  Result<Done> insert_from(std::uint32_t first);
+
   CellVertices vertices_;
   CellPredicates predicates_;
   Delaunay3<CellPredicates> delaunay_;
   double seconds_ = 0;
+  std::size_t inside_count_ = 0;
 };
 
 /// True iff some face has an internal triangle; else no tetrahedron of the cell can be kept.

@@ -8,6 +8,15 @@
 
 namespace crossloft {
 
+/// Other numbers for its vertices, in the same order: number[number before].
+void CellState::renumber(std::span<const std::uint32_t> number) {
+  if (triangulation) triangulation->renumber(number);
+  for (std::uint32_t& v : built.vertices) v = number[v];
+  crossloft::renumber(bridges, number);
+  for (auto& tet : tets)
+    for (std::uint32_t& v : tet) v = number[v];
+}
+
 Result<Done> Pipeline::triangulate_faces() {
   inputs_ = face_inputs(graph_, *arrangement_);
   locators_ = std::make_unique<PlaneLocators>(graph_);
@@ -47,13 +56,14 @@ Result<Done> Pipeline::refine_faces(std::span<const std::vector<LatticePoint>> s
          " without branching samples: contours come too close to them");
   const Numbering before = std::move(numbering_);
   numbering_ = number_vertices(graph_, faces_);
-  const std::vector<std::uint32_t> number = renumbering(before, numbering_);
+  std::vector<std::uint32_t> number = renumbering(before, numbering_);
   for (CellState& cell : cells_) {
-    if (cell.triangulation) cell.triangulation->renumber(number);
-    for (std::uint32_t& v : cell.built.vertices) v = number[v];
-    renumber(cell.bridges, number);
-    for (auto& tet : cell.tets)
-      for (std::uint32_t& v : tet) v = number[v];
+    number.resize(before.points.size());
+    for (std::uint32_t& v : cell.interior) {
+      v += static_cast<std::uint32_t>(numbering_.points.size() - before.points.size());
+      number.push_back(v);
+    }
+    cell.renumber(number);
   }
   classify_lines();
   return Done{};

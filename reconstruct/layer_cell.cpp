@@ -39,7 +39,6 @@ class LayerBuilder {
   std::span<const CellFace> faces_;
   FacePair pair_;
   BuiltCell cell_;
-  std::vector<LatticePoint> points_;  ///< of the cell
   std::array<std::vector<std::uint32_t>, 2>
       numbers_;  ///< by local vertex of the face: its vertex in the cell
 };
@@ -70,7 +69,7 @@ bool LayerBuilder::merge_vertices(std::span<const LatticePoint> points) {
   complex.words = static_cast<std::uint32_t>((faces_.size() + 63) / 64);
   complex.face_masks.assign(size * complex.words, 0);
   cell_.vertices.reserve(size);
-  points_.reserve(size);
+  cell_.points.reserve(size);
   for (std::size_t side = 0; side < 2; ++side) numbers_[side].resize(lists[side].size());
   std::array<std::size_t, 2> at{};
   const auto next = [&](std::size_t side) {
@@ -85,7 +84,7 @@ bool LayerBuilder::merge_vertices(std::span<const LatticePoint> points) {
     cell_.vertices.push_back(std::min(first, second));
   }
   // By itself, as each is a miss of the cache: they don't wait for each other so.
-  for (const std::uint32_t number : cell_.vertices) points_.push_back(points[number]);
+  for (const std::uint32_t number : cell_.vertices) cell_.points.push_back(points[number]);
   return true;
 }
 
@@ -126,7 +125,7 @@ std::optional<BuiltCell> LayerBuilder::run(std::span<const LatticePoint> points)
     planes[side] = {face(side).triangles, face(side).sides,
                     static_cast<std::uint32_t>(face(side).edges.size()), numbers_[side], is_clockwise(side)};
   BetweenPlanes between;
-  if (!delaunay_between_planes(points_, planes, between)) return std::nullopt;
+  if (!delaunay_between_planes(cell_.points, planes, between)) return std::nullopt;
   cell_.complex.mesh = std::move(between.mesh);
   classify(between.edges);
   return std::move(cell_);

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -47,6 +48,12 @@ struct Piece {
   std::map<std::uint32_t, std::vector<Triangle>> cavities;  ///< by cell: facets at it
 };
 
+/// A point inside a cell that divides it.
+struct InsidePoint {
+  LatticePoint point;
+  std::uint32_t round = 0;  ///< of dividing, in which it came
+};
+
 /// A cell while it is worked on, and what it leaves behind.
 struct CellState {
   std::unique_ptr<CellTriangulation> triangulation;  ///< kept only while points may come
@@ -65,12 +72,25 @@ struct CellState {
   std::vector<std::array<std::uint32_t, 4>> roof_tets;
   std::vector<GroundTriangle> ground;   ///< internal triangles that kept tetrahedra stand on
   std::vector<std::uint32_t> feet;      ///< in step: the facets there; what bridges stand on comes after
-  std::vector<Vec3> places;             ///< where points inside the cell are wanted
-  std::vector<std::uint32_t> interior;  ///< numbers of those that came in, ascending
+  std::vector<InsidePoint> inside;      ///< by round, and each in lexicographic order
+  std::vector<std::uint32_t> interior;  ///< in step: their numbers, ascending
   BuiltCell built;                      ///< only for an observer
   PruneResult pruned;
   bool may_branch = false;  ///< samples are wanted if it lacks something
   bool due = true;          ///< to be pruned: not yet done, or its faces have changed
+  bool undivided = false;   ///< pruned without the points inside that it wants: samples may come first
+
+  void renumber(std::span<const std::uint32_t> number);
+};
+
+/// What pruning a cell starts from.
+struct CellInHand {
+  CellId id;
+  std::vector<FaceId> ids;  ///< faces not on the box
+  std::vector<CellFace> faces;
+  BuiltCell built;
+  std::optional<Ground> ground;
+  CellShape shape;  ///< mode natural
 };
 
 /// The tetrahedra of all cells and what the cells know of their facets.
@@ -95,7 +115,9 @@ class Pipeline {
   // cell_stage.cpp
   Result<Done> fill_cells();
   // interior_stage.cpp
-  Result<Done> divide_cells();
+  bool is_in(InCells which, CellId id) const;
+  Result<Done> divide(CellInHand& hand, CellState& state) const;
+  void number_inside_points();
   // second_look_stage.cpp
   Result<Done> look_again();
   Result<std::vector<Piece>> find_pieces();
@@ -129,11 +151,10 @@ class Pipeline {
   Result<Done> prune_due_cells();
   Result<Done> prune_cell(CellId id, CellState& state);
   Result<Done> check_layer(std::span<const CellFace> faces, const BuiltCell& layer) const;
-  Result<BuiltCell> build(std::span<const CellFace> faces, CellState& state) const;
-  bool wait_for_points(const BuiltCell& cell, const Ground& ground, const CellShape& shape,
-                       std::span<const FaceId> ids, CellState& state) const;
-  PruneResult prune_built(std::span<const CellFace> faces, const BuiltCell& cell, const Ground& ground,
-                          const CellShape& shape, const CellRequests& asked) const;
+  Result<BuiltCell> triangulate(std::span<const CellFace> faces, CellState& state) const;
+  Result<Done> build(CellInHand& hand, CellState& state) const;
+  PruneResult prune_built(const CellInHand& hand, const CellRequests& asked) const;
+  void take_pruned(const CellInHand& hand, PruneResult& pruned, CellState& state);
   Result<Done> check_pruned(const BuiltCell& cell, const PruneResult& pruned) const;
   void report_topology(const BuiltCell& cell, const NaturalReport& natural, CellReport& report) const;
   void cover(std::span<const CellFace> faces, std::span<const FaceId> ids,
@@ -181,10 +202,10 @@ class Pipeline {
   std::unique_ptr<PlaneLocators> locators_;
   std::unique_ptr<LineEdges> line_edges_;
   Numbering numbering_;
-  std::unique_ptr<LazySectionField> field_;  ///< mode natural
+  std::unique_ptr<LazySectionField> field_;  ///< if joins in doubt may ask it
   std::vector<CellState> cells_;             ///< by cell of the arrangement
   bool samples_may_come_ = false;            ///< cells are pruned to see where branching samples are wanted
-  bool points_may_come_ = false;             ///< cells are asked where points inside are wanted
+  bool points_may_come_ = false;             ///< cells may be divided by points inside
   std::vector<std::array<std::uint32_t, 4>> tets_;       ///< of the solid, taken out of the cells
   KnownFacets known_;                                    ///< of tets_, unless they have been glued
   std::vector<std::array<std::uint32_t, 4>> roof_tets_;  ///< of flat regions

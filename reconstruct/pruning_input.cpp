@@ -34,12 +34,10 @@ std::vector<std::uint32_t> vertices_of(std::uint32_t plane, std::uint32_t contou
 }  // namespace
 
 CellShape cell_shape(const Arrangement& arrangement, CellId id, std::span<const FaceId> faces,
-                     const BuiltCell& cell, const Numbering& numbering) {
+                     const BuiltCell& cell) {
   CellShape shape;
-  for (const std::uint32_t number : cell.vertices) {
-    const LatticePoint& p = numbering.points[number];
-    shape.points.push_back({p.x, p.y, p.z});
-  }
+  shape.points.reserve(cell.points.size());
+  for (const LatticePoint& p : cell.points) shape.points.push_back({p.x, p.y, p.z});
   const auto add = [&](FaceId f) {
     const double inward = arrangement.cells_of(f)[0] == id ? -1 : 1;
     shape.faces.push_back(face_plane(arrangement.plane(arrangement.plane_of(f)), inward));

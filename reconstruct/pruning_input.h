@@ -11,14 +11,13 @@
 #include "../prune/section_field.h"
 #include "cell_builder.h"
 #include "join_request.h"
-#include "numbering.h"
 
 namespace crossloft {
 
 /// The cell in rounded lattice coordinates. `faces`: those with vertices, in the order of the masks; those of
 /// the arrangement's box come after them.
 CellShape cell_shape(const Arrangement& arrangement, CellId id, std::span<const FaceId> faces,
-                     const BuiltCell& cell, const Numbering& numbering);
+                     const BuiltCell& cell);
 
 /// All sections in the same coordinates.
 SectionField section_field(const SectionGraph& graph);

@@ -74,7 +74,7 @@ bad no_plane . '0\n'
 printf "2\n$(section 0)$(section 1)" >cube.contour
 expect 0 '^volume|volume 1$' reconstruct cube.contour -o cube.ply --solid cube.vtu --report cube.json --dump-sections cube2.contour
 for file in cube.ply cube.vtu cube.json cube2.contour; do [ -s $file ] || { echo "FAILED: no $file"; failures=$((failures + 1)); }; done
-grep -q '"report_version": 1' cube.json || { echo "FAILED: report without its version"; failures=$((failures + 1)); }
+grep -q '"report_version": 2' cube.json || { echo "FAILED: report without its version"; failures=$((failures + 1)); }
 expect 0 'good' check cube.ply cube.contour
 
 # Repair

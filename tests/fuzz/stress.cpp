@@ -3,7 +3,7 @@
 ///   stress [--count N] [--seed S] [--first K] [--threads T] [--keep FOLDER] [--mode
 ///   natural|joint|paper|careful]
 ///
-/// Mode careful: natural, with points inside cells and joins in doubt decided by what is around.
+/// Mode careful: natural, with points inside all cells, and joins in doubt decided by what is around.
 /// Input k of seed S is the same whatever the others are: --first K --count 1 repeats it. Broken promises are
 /// printed, with --keep also kept as FOLDER/S-K.bytes (an input of the fuzz target) and FOLDER/S-K.contour.
 /// Exit 1 if there was one.
@@ -80,7 +80,7 @@ class Stress {
     ByteSource source(bytes);
     SectionSet set = draw_section_set(source);
     if (arguments_.mode) set.options.mode = *arguments_.mode;
-    if (arguments_.careful) set.options.natural.divide = set.options.natural.look_around = true;
+    if (arguments_.careful) set.options.natural.divide = set.options.natural.look_around = InCells::all;
     const auto begin = std::chrono::steady_clock::now();
     const Verdict verdict = judge(set);
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;

@@ -25,7 +25,7 @@ struct CellCase {
       : cell(of),
         kept(std::move(keep)),
         points(at),
-        bridges(find_bridges(cell, Ground(cell.complex), kept, points)) {}
+        bridges(find_bridges(cell, Ground(cell.complex), kept)) {}
 
   const LatticePoint& point(std::uint32_t v) const {
     return v < kFirstBridgePoint ? points[v] : bridges.points[v - kFirstBridgePoint];
@@ -316,11 +316,11 @@ auto by_edges(const CellCase& c) {
 
 /// Five tetrahedra around the edge 0-1, on the ground triangles 0 1 2 and 0 1 7 alone; `size` = length of the
 /// edge.
-BuiltCell half_turn(std::int64_t size, std::vector<LatticePoint>& points) {
+BuiltCell half_turn(std::int64_t size) {
   const LatticeVector at[] = {{0, 0, 0},           {size, 0, 0}, {0, size, 0},         {0, size, size},
                               {0, size / 2, size}, {0, 0, size}, {0, -size / 2, size}, {0, -size, 0}};
-  for (const LatticeVector& p : at) points.push_back(make_point(p));
   BuiltCell cell;
+  for (const LatticeVector& p : at) cell.points.push_back(make_point(p));
   for (std::uint32_t v = 0; v < 8; ++v) cell.vertices.push_back(v);
   cell.complex.vertex_count = 8;
   cell.complex.face_masks.assign(8, 0);
@@ -441,9 +441,8 @@ TEST_CASE("bridges that fit change nothing of what a cell counts: no handle, no 
 
 TEST_CASE("a gap too thin for the grid has no pieces, nor have several gaps at an edge") {
   const auto pieces = [](std::int64_t size, std::vector<std::uint8_t> kept) {
-    std::vector<LatticePoint> points;
-    const BuiltCell cell = half_turn(size, points);
-    const CellBridges found = find_bridges(cell, Ground(cell.complex), kept, points);
+    const BuiltCell cell = half_turn(size);
+    const CellBridges found = find_bridges(cell, Ground(cell.complex), kept);
     REQUIRE(found.bridges.size() == 1);
     CHECK(found.bridges[0].edge == Edge{0, 1});
     CHECK(found.bridges[0].ground[0].triangle == 0);

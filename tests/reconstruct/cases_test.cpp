@@ -78,6 +78,6 @@ TEST_CASE("cells that had got points were asked what is small and thickened: glu
   Options options;
   options.thicken = 0.01;
   check_case("asked_after_samples.contour", options);
-  options.natural.divide = true;
+  options.natural.divide = InCells::all;
   check_case("asked_after_points_inside.contour", options);
 }

@@ -14,8 +14,7 @@ namespace {
 
 Options dividing(bool look_around) {
   Options options;
-  options.natural.divide = true;
-  options.natural.look_around = look_around;
+  options.natural.look_around = look_around ? InCells::all : InCells::off;
   return options;
 }
 
@@ -48,7 +47,7 @@ PlaneSection square(double z, double centre) {
 TEST_CASE("a torus that R1 cuts open is whole with points inside its cells") {
   const Sections sections = cut(torus(1, 0.4, 96, 48), 16, 7);
   Options whole;
-  whole.natural.look_around = true;
+  whole.natural.divide = InCells::off;
   const auto open = reconstruct(sections, whole), closed = reconstruct(sections, dividing(true));
   REQUIRE(open.ok());
   REQUIRE(closed.ok());
@@ -60,6 +59,23 @@ TEST_CASE("a torus that R1 cuts open is whole with points inside its cells") {
   CHECK(report.genus == 1);
   CHECK(report.components.size() == 1);
   CHECK(closed->report.volume > open->report.volume);
+}
+
+TEST_CASE("where no planes meet in a cell, as in a stack, points inside come only if asked for") {
+  const Surface mesh = torus(1, 0.4, 48, 24);
+  const auto sections = slice(mesh, parallel_planes(bounds_of(mesh.points), 7, {1, 0.1, 0.2}));
+  REQUIRE(sections.ok());
+  Options off, all;
+  off.natural.divide = off.natural.look_around = InCells::off;
+  all.natural.divide = InCells::all;
+  const auto by_default = reconstruct(*sections), without = reconstruct(*sections, off),
+             with = reconstruct(*sections, all);
+  REQUIRE(by_default.ok());
+  REQUIRE(without.ok());
+  REQUIRE(with.ok());
+  CHECK(by_default->report.interior_points == 0);
+  CHECK(hash(*by_default) == hash(*without));
+  CHECK(with->report.interior_points > 0);
 }
 
 TEST_CASE("points inside cells change no section") {
@@ -84,9 +100,10 @@ TEST_CASE("points inside cells change no section") {
 
 TEST_CASE("points inside cells: order and threads leave no trace, with samples too") {
   const Sections sections = cut(torus(1, 0.4, 48, 24), 14, 5);
-  for (const Branching mode : {Branching::automatic, Branching::all}) {
+  for (const Branching mode : {Branching::automatic, Branching::all, Branching::off}) {
     Options options = dividing(true);
     options.branching.mode = mode;
+    options.branching.cutting = mode == Branching::off;
     const auto reference = reconstruct(sections, options);
     REQUIRE(reference.ok());
     CHECK(reference->report.interior_points > 0);

@@ -77,8 +77,7 @@ std::uint32_t side_of(const FaceTriangulation& face, std::span<const std::uint32
 
 Sections stack(double from, double to, int count) {
   std::vector<CuttingPlane> planes;
-  for (int i = 0; i < count; ++i)
-    planes.push_back({{0, 0, 1}, -(from + (to - from) * i / (count - 1))});
+  for (int i = 0; i < count; ++i) planes.push_back({{0, 0, 1}, -(from + (to - from) * i / (count - 1))});
   auto sections = slice(trefoil_solid(24), planes);
   REQUIRE(sections.ok());
   return std::move(sections).value();
@@ -109,6 +108,8 @@ TEST_CASE("cells of a stack are those of their triangulations") {
     const auto built = build_cell(faces, triangulation, no_lines, seen.numbering.graph_vertex);
     REQUIRE(built.ok());
     CHECK(layer->vertices == built->vertices);
+    REQUIRE(layer->points.size() == built->points.size());
+    for (std::size_t v = 0; v < built->points.size(); ++v) CHECK(equal(layer->points[v], built->points[v]));
     CHECK(layer->complex.face_masks == built->complex.face_masks);
     CHECK(kinds_of(layer->complex) == kinds_of(built->complex));
     CHECK(ground_of(*layer) == ground_of(*built));

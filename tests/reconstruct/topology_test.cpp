@@ -66,7 +66,7 @@ TEST_CASE("a torus by ten to forty-five planes is a torus, whatever joint makes 
 TEST_CASE("where confidences are in doubt, the sections around a cell tell that a torus goes on") {
   const Surface mesh = torus(1, 0.4, 96, 48);
   Options options;
-  options.natural.look_around = true;
+  options.natural.look_around = InCells::all;
   const Reconstruction r = cut_and_rebuild(mesh, random_planes(bounds_of(mesh.points), 10, 7), options);
   const CheckReport report = check_surface(r.surface);
   CHECK(report.genus == 1);
