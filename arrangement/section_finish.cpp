@@ -153,11 +153,13 @@ bool strictly_on(const SectionGraph& graph, std::uint32_t p, const Wall& wall, s
 }
 
 /// Contours of one plane that touch: a vertex inside another wall cuts it; what then runs double cancels.
-/// True if there were no conflicts.
-bool cut_touching(SectionGraph& graph, std::uint32_t p) {
+/// Without conflicts the walls stay as they are, but for their numbers, and are oriented while there is a
+/// locator.
+SoundPlane cut_touching(SectionGraph& graph, const Arrangement& arrangement, std::uint32_t p) {
   std::vector<WallEnds> ends;
-  const auto conflicts = graph.locator(p, ends).conflicts();
-  if (conflicts.empty()) return true;
+  const SectionLocator locator = graph.locator(p, ends);
+  const auto conflicts = locator.conflicts();
+  if (conflicts.empty()) return {true, orient_walls(graph, arrangement, p, locator)};
   std::vector<std::vector<std::uint32_t>> touching(graph.walls[p].size());
   bool any = false;
   for (const auto& [v, w] : conflicts)
@@ -170,12 +172,12 @@ bool cut_touching(SectionGraph& graph, std::uint32_t p) {
   for (std::uint32_t w = 0; w < touching.size(); ++w)
     if (!touching[w].empty()) cut_wall(graph, p, w, touching[w]);
   if (any) cancel_pairs(graph.walls[p]);
-  return false;
+  return {};
 }
 
 /// Walls along an arrangement edge are cut at every section vertex there, of any plane; that plane is to be
 /// looked at again.
-void cut_along_edges(SectionGraph& graph, const Arrangement& arrangement, std::vector<std::uint8_t>& sound) {
+void cut_along_edges(SectionGraph& graph, const Arrangement& arrangement, std::vector<SoundPlane>& planes) {
   std::vector<std::array<std::uint32_t, 2>> on_edge;  // edge, vertex
   RowLocations location(graph, arrangement);
   for (std::uint32_t v = 0; v < graph.size(); ++v) {
@@ -202,7 +204,7 @@ void cut_along_edges(SectionGraph& graph, const Arrangement& arrangement, std::v
     }
     if (!any) continue;
     cancel_pairs(graph.walls[p]);
-    sound[p] = 0;
+    planes[p] = {};
   }
 }
 
@@ -263,20 +265,23 @@ void merge_collinear_runs(SectionGraph& graph) {
 
 void drop_bare_vertices(SectionGraph& graph) { renumber(graph, std::vector<bool>(graph.size(), false)); }
 
-bool unify(SectionGraph& graph, const Arrangement& arrangement, std::vector<std::uint8_t>& sound,
+bool unify(SectionGraph& graph, const Arrangement& arrangement, std::vector<SoundPlane>& planes,
            const Context& context) {
   drop_bare_vertices(graph);
-  sound.assign(graph.planes.size(), 0);
+  planes.assign(graph.planes.size(), {});
   const auto cut = [&](std::size_t p) {
-    sound[p] = cut_touching(graph, static_cast<std::uint32_t>(p)) ? 1 : 0;
+    planes[p] = cut_touching(graph, arrangement, static_cast<std::uint32_t>(p));
   };
   if (!parallel_for(graph.planes.size(), context, "sections", cut)) return false;
-  cut_along_edges(graph, arrangement, sound);
+  cut_along_edges(graph, arrangement, planes);
   drop_bare_vertices(graph);
   return true;
 }
 
-PlaneCorners locate_corners(const Arrangement& arrangement, std::uint32_t p, const SectionLocator& locator) {
+PlaneCorners orient_walls(SectionGraph& graph, const Arrangement& arrangement, std::uint32_t p,
+                          const SectionLocator& locator) {
+  std::vector<Wall>& walls = graph.walls[p];
+  for (std::uint32_t w = 0; w < walls.size(); ++w) walls[w].inside_left = locator.inside_left(w);
   PlaneCorners corners;
   corners.vertices = inner_vertices(arrangement, PlaneId{p});
   for (const ArrVertexId v : corners.vertices)
@@ -285,12 +290,12 @@ PlaneCorners locate_corners(const Arrangement& arrangement, std::uint32_t p, con
 }
 
 void add_arrangement_vertices(SectionGraph& graph, const Arrangement& arrangement,
-                              std::span<const PlaneCorners> corners) {
+                              std::span<const SoundPlane> planes) {
   const std::uint32_t count = arrangement.vertex_count();
   std::vector<bool> in(count, false), out(count, false);
-  for (const PlaneCorners& plane : corners)
-    for (std::size_t k = 0; k < plane.vertices.size(); ++k)
-      (plane.outside[k] != 0 ? out : in)[plane.vertices[k].value] = true;
+  for (const auto& [is_sound, corners] : planes)
+    for (std::size_t k = 0; k < corners.vertices.size(); ++k)
+      (corners.outside[k] != 0 ? out : in)[corners.vertices[k].value] = true;
   bool any = false;
   for (std::uint32_t v = 0; v < count; ++v) {
     if (in[v] && out[v]) ++graph.statistics.disagreeing;

@@ -72,25 +72,24 @@ Result<Done> check_crossings(const SectionGraph& graph, std::uint32_t p) {
   return self_crossing(graph.walls[p][first[0]], graph.walls[p][first[1]]);
 }
 
-Result<Done> check_crossings(const SectionGraph& graph, std::span<const std::uint8_t> sound,
+Result<Done> check_crossings(const SectionGraph& graph, std::span<const section_steps::SoundPlane> planes,
                              const Context& context) {
   return for_all(graph.planes.size(), context, "sections", [&](std::size_t p) -> Result<Done> {
-    return sound[p] != 0 ? Result<Done>(Done{}) : check_crossings(graph, static_cast<std::uint32_t>(p));
+    return planes[p].is_sound ? Result<Done>(Done{}) : check_crossings(graph, static_cast<std::uint32_t>(p));
   });
 }
 
-/// Inner sides of the walls, and the arrangement vertices within the sections: both by one locator for each
-/// plane.
-bool orient_walls(SectionGraph& graph, const Arrangement& arrangement, const Context& context) {
-  std::vector<section_steps::PlaneCorners> corners(graph.planes.size());
+/// Inner sides of the walls, and the arrangement vertices within the sections: of planes that were not sound
+/// at first.
+bool orient_walls(SectionGraph& graph, const Arrangement& arrangement,
+                  std::vector<section_steps::SoundPlane>& planes, const Context& context) {
   const bool complete = parallel_for(graph.planes.size(), context, "sections", [&](std::size_t i) {
+    if (planes[i].is_sound) return;
     const auto p = static_cast<std::uint32_t>(i);
     std::vector<WallEnds> ends;
-    const SectionLocator locator = graph.locator(p, ends);
-    for (std::uint32_t w = 0; w < ends.size(); ++w) graph.walls[p][w].inside_left = locator.inside_left(w);
-    corners[p] = section_steps::locate_corners(arrangement, p, locator);
+    planes[i].corners = section_steps::orient_walls(graph, arrangement, p, graph.locator(p, ends));
   });
-  if (complete) section_steps::add_arrangement_vertices(graph, arrangement, corners);
+  if (complete) section_steps::add_arrangement_vertices(graph, arrangement, planes);
   return complete;
 }
 
@@ -142,15 +141,17 @@ Result<SectionGraph> build_section_graph(const FramedSections& framed, const Arr
   steps::match_crossings(graph, arrangement, store, tolerances.match);
   if (context.cancelled()) return make_error(ErrorCode::cancelled, "cancelled");
   steps::merge_collinear_runs(graph);
-  std::vector<std::uint8_t> sound;
-  if (!steps::unify(graph, arrangement, sound, context)) return make_error(ErrorCode::cancelled, "cancelled");
-  if (auto checked = check_crossings(graph, sound, context); !checked) return checked.error();
+  std::vector<steps::SoundPlane> planes;
+  if (!steps::unify(graph, arrangement, planes, context))
+    return make_error(ErrorCode::cancelled, "cancelled");
+  if (auto checked = check_crossings(graph, planes, context); !checked) return checked.error();
   if (tolerances.simplify > 0) {
     steps::simplify_contours(graph, tolerances.simplify);
-    std::fill(sound.begin(), sound.end(), std::uint8_t{0});
-    if (auto checked = check_crossings(graph, sound, context); !checked) return checked.error();
+    planes.assign(planes.size(), {});
+    if (auto checked = check_crossings(graph, planes, context); !checked) return checked.error();
   }
-  if (!orient_walls(graph, arrangement, context)) return make_error(ErrorCode::cancelled, "cancelled");
+  if (!orient_walls(graph, arrangement, planes, context))
+    return make_error(ErrorCode::cancelled, "cancelled");
   if (auto located = locate_all(graph, arrangement); !located) return located.error();
   return graph;
 }

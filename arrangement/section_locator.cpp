@@ -156,16 +156,22 @@ std::vector<std::array<std::uint32_t, 2>> SectionLocator::near_touches(double to
   // What is further from a wall's box is further from the wall, roundings of up to 2^-3 included.
   const double margin = tolerance + 1;
   std::vector<std::array<std::uint32_t, 2>> found;
+  const auto look_around = [&](std::uint32_t v) {
+    const double level = points_[v][second_], at = points_[v][first_];
+    const std::uint32_t last = strip_of(level + tolerance);
+    for (std::uint32_t s = strip_of(level - tolerance); s <= last; ++s)
+      for (const std::uint32_t w : strip(s))
+        if (boxes_[w].holds(at, level, margin) && walls_[w].a != v && walls_[w].b != v &&
+            near_interior(w, v, tolerance))
+          found.push_back({w, v});
+  };
+  // Each vertex once: it is an end of two walls as a rule.
+  std::uint32_t least = kNone, most = 0;
+  for (const WallEnds& w : walls_) least = std::min({least, w.a, w.b}), most = std::max({most, w.a, w.b});
+  std::vector<bool> done(walls_.empty() ? 0 : most - least + std::size_t{1});
   for (const WallEnds& from : walls_)
-    for (const std::uint32_t v : {from.a, from.b}) {
-      const double level = points_[v][second_], at = points_[v][first_];
-      const std::uint32_t last = strip_of(level + tolerance);
-      for (std::uint32_t s = strip_of(level - tolerance); s <= last; ++s)
-        for (const std::uint32_t w : strip(s))
-          if (boxes_[w].holds(at, level, margin) && walls_[w].a != v && walls_[w].b != v &&
-              near_interior(w, v, tolerance))
-            found.push_back({w, v});
-    }
+    for (const std::uint32_t v : {from.a, from.b})
+      if (!done[v - least]) done[v - least] = true, look_around(v);
   std::sort(found.begin(), found.end());
   found.erase(std::unique(found.begin(), found.end()), found.end());
   return found;

@@ -42,10 +42,26 @@ void match_crossings(SectionGraph& graph, const Arrangement& arrangement, Lattic
 /// segment that replaces them, but not exactly on it.
 void merge_collinear_runs(SectionGraph& graph);
 
+/// The arrangement vertices on a plane but not on the box, and which of them are outside of its closed
+/// section.
+struct PlaneCorners {
+  std::vector<ArrVertexId> vertices;
+  std::vector<std::uint8_t> outside;
+};
+/// Finds the inner sides of a plane's walls and its corners. REQUIRES: a locator of these walls, which don't
+/// cross.
+PlaneCorners orient_walls(SectionGraph& graph, const Arrangement& arrangement, std::uint32_t p,
+                          const SectionLocator& locator);
+
+/// What unify() knows of a plane.
+struct SoundPlane {
+  bool is_sound = false;  ///< its walls are known to be without conflicts, and oriented
+  PlaneCorners corners;   ///< if so
+};
+
 /// Equal points become one vertex, walls that touch are cut there, doubled walls cancel, unused vertices go,
-/// and everything is put into lexicographic order. `sound` by plane: 1 if its walls are known to be without
-/// conflicts. False if cancelled.
-bool unify(SectionGraph& graph, const Arrangement& arrangement, std::vector<std::uint8_t>& sound,
+/// and everything is put into lexicographic order. `planes`: by plane. False if cancelled.
+bool unify(SectionGraph& graph, const Arrangement& arrangement, std::vector<SoundPlane>& planes,
            const Context& context);
 
 /// Drops contour vertices in the interior of faces as long as all that were dropped stay within `tolerance`
@@ -56,18 +72,10 @@ void simplify_contours(SectionGraph& graph, double tolerance);
 /// Takes out the vertices without a wall.
 void drop_bare_vertices(SectionGraph& graph);
 
-/// The arrangement vertices on a plane but not on the box, and which of them are outside of its closed
-/// section.
-struct PlaneCorners {
-  std::vector<ArrVertexId> vertices;
-  std::vector<std::uint8_t> outside;
-};
-PlaneCorners locate_corners(const Arrangement& arrangement, std::uint32_t p, const SectionLocator& locator);
-
 /// Adds the arrangement vertices that lie in the closed section of one of their planes. Walls stay what they
 /// are, inner sides too: none has such a vertex in its interior, and their ends keep their order.
 void add_arrangement_vertices(SectionGraph& graph, const Arrangement& arrangement,
-                              std::span<const PlaneCorners> corners);
+                              std::span<const SoundPlane> planes);
 
 /// True iff the ends of the wall are on different sides of a plane.
 bool crosses_a_plane(const SectionGraph& graph, const Wall& wall);

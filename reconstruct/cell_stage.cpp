@@ -8,6 +8,7 @@
 #include "../prune/solidity.h"
 #include "../prune/star.h"
 #include "../prune/verify.h"
+#include "layer_cell.h"
 #include "pruning_input.h"
 #include "self_check.h"
 
@@ -38,6 +39,13 @@ std::vector<GroundTriangle> ground_under(const BuiltCell& cell, const std::vecto
     next = last;
   }
   return list;
+}
+
+std::vector<TetName> names_of(const TetMesh& mesh) {
+  std::vector<TetName> names = mesh.vertices;
+  for (TetName& name : names) std::sort(name.begin(), name.end());
+  std::sort(names.begin(), names.end());
+  return names;
 }
 
 /// New lists of the cell's part of the solid, no longer than they need: together they are much of the memory.
@@ -144,19 +152,41 @@ Result<Done> Pipeline::check_pruned(const BuiltCell& cell, const PruneResult& pr
   });
 }
 
-/// Its triangulation takes in what it lacks. Without tetrahedra there is no more than that.
-Result<Done> Pipeline::build(CellInHand& hand, CellState& state) const {
-  if (!state.triangulation) state.triangulation = std::make_unique<CellTriangulation>(hand.faces.size());
+Result<Done> Pipeline::check_layer(std::span<const CellFace> faces, const BuiltCell& layer) const {
+  return self_check("Delaunay between two planes", [&] {
+    CellTriangulation triangulation(faces.size());
+    if (!triangulation.add(faces, numbering_.points)) return "no triangulation";
+    return names_of(triangulation.mesh()) == names_of(layer.complex.mesh) ? "" : "other tetrahedra";
+  });
+}
+
+/// Points inside the cell need a triangulation that takes them.
+Result<BuiltCell> Pipeline::triangulate(std::span<const CellFace> faces, CellState& state) const {
+  if (state.inside.empty()) {
+    Stopwatch watch;
+    if (auto layer = build_layer_cell(faces, numbering_.points)) {
+      state.delaunay_seconds += watch.lap();
+      state.triangulation.reset();
+      if (auto good = check_layer(faces, *layer); !good) return good.error();
+      return std::move(*layer);
+    }
+  }
+  if (!state.triangulation) state.triangulation = std::make_unique<CellTriangulation>(faces.size());
   CellTriangulation& triangulation = *state.triangulation;
   const double before = triangulation.seconds();
-  if (auto done = triangulation.add(hand.faces, numbering_.points); !done) return done;
+  if (auto done = triangulation.add(faces, numbering_.points); !done) return done.error();
   const std::size_t known = triangulation.inside_count();
   std::vector<LatticePoint> inside;
   for (std::size_t k = known; k < state.inside.size(); ++k) inside.push_back(state.inside[k].point);
   if (auto done = triangulation.add_inside(inside, std::span(state.interior).subspan(known)); !done)
-    return done;
+    return done.error();
   state.delaunay_seconds += triangulation.seconds() - before;
-  auto built = build_cell(hand.faces, triangulation, *line_edges_, numbering_.graph_vertex);
+  return build_cell(faces, triangulation, *line_edges_, numbering_.graph_vertex);
+}
+
+/// Its triangulation takes in what it lacks. Without tetrahedra there is no more than that.
+Result<Done> Pipeline::build(CellInHand& hand, CellState& state) const {
+  auto built = triangulate(hand.faces, state);
   if (!built) return built.error();
   hand.built = std::move(built).value();
   if (hand.built.complex.mesh.size() == 0) return Done{};

@@ -150,6 +150,8 @@ class Pipeline {
   std::vector<CellFace> cell_faces(CellId id, std::span<const FaceId> ids) const;
   Result<Done> prune_due_cells();
   Result<Done> prune_cell(CellId id, CellState& state);
+  Result<Done> check_layer(std::span<const CellFace> faces, const BuiltCell& layer) const;
+  Result<BuiltCell> triangulate(std::span<const CellFace> faces, CellState& state) const;
   Result<Done> build(CellInHand& hand, CellState& state) const;
   PruneResult prune_built(const CellInHand& hand, const CellRequests& asked) const;
   void take_pruned(const CellInHand& hand, PruneResult& pruned, CellState& state);

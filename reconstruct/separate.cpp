@@ -60,7 +60,8 @@ class Separator {
     for (std::size_t k = 0; k < copies_.size(); ++k) reach_.push_back(reach(k));
     find_neighbours();
     for (std::size_t k = 0; k < copies_.size(); ++k)
-      if (!context_.cancelled() && (effort_.rounds == 0 || touches(k))) move(k, direction(k));
+      if (reach_[k] != 0 && !context_.cancelled() && (effort_.rounds == 0 || touches(k)))
+        move(k, direction(k));
     bool some = true;
     for (int round = 0; round < effort_.rounds && some; ++round) some = move_touching();
     count_touching();
@@ -175,10 +176,12 @@ class Separator {
       const double length = norm(d);
       if (length == 0) break;
       d = 1 / length * d;
-      const Vec3& worst = *std::min_element(
-          sides.begin(), sides.end(), [&](const Vec3& x, const Vec3& y) { return dot(x, d) < dot(y, d); });
-      if (dot(worst, d) > margin) margin = dot(worst, d), best = d;
-      d = d + 0.25 * worst;
+      std::size_t worst = 0;
+      double least = dot(sides[0], d);
+      for (std::size_t i = 1; i < sides.size(); ++i)
+        if (const double value = dot(sides[i], d); value < least) least = value, worst = i;
+      if (least > margin) margin = least, best = d;
+      d = d + 0.25 * sides[worst];
     }
     return best;
   }
