@@ -50,7 +50,7 @@ struct CellRoofs {
 };
 
 /// Rounds in which a triangle's roof may fail before it is left out.
-inline constexpr int kRoofRounds = 24;
+inline constexpr int kRoofRounds = 52;
 
 /// Builds what can be built. A raised point starts at the full height, or lower where the cell ends; where a
 /// tetrahedron overlaps an obstacle or another one, or is turned over by rounding, its raised points come

@@ -15,6 +15,9 @@ struct Verdict {
   bool empty = false;              ///< a result without surface
   // Counted, not promised (README, limits): triangles that cross after rounding.
   std::uint64_t crossings = 0;
+  // With plates: edges of theirs where a section contradicts another, needles that have no room for one.
+  std::uint64_t outside = 0;
+  bool bare = false;
 };
 
 /// Reconstructs and judges: no internal error; surface closed, oriented, a 2-manifold by index, its volume

@@ -106,6 +106,21 @@ TEST_CASE("solid above it keeps it low where it is, and at the vertex it stands 
   CHECK(standing.tets.size() < hanging.tets.size());
 }
 
+// Points came down by half in 24 rounds at most, which ended far above it.
+TEST_CASE("a plate gets under solid that hangs a few units over it") {
+  constexpr std::int64_t kFar = std::int64_t{1} << 40;
+  Scene scene({{kFar, kFar, 0}, {-kFar, kFar, 0}, {-kFar, -kFar, 0}, {kFar, -kFar, 0}}, kFar);
+  scene.site.sides[1] = {make_axis_plane(2, 4 * kFar), -1};
+  scene.points.push_back(make_point({-4 * kFar, -4 * kFar, 4}));
+  scene.points.push_back(make_point({4 * kFar, -4 * kFar, 4}));
+  scene.points.push_back(make_point({0, 4 * kFar, 4}));
+  scene.points.push_back(make_point({0, 0, kFar}));
+  scene.site.obstacles = {{5, 6, 7, 8}};
+  const CellRoofs r = scene.build();
+  CHECK(r.built == std::vector<std::uint8_t>(4, 1));
+  CHECK(r.height <= 4.5);
+}
+
 TEST_CASE("what is blocked altogether is left out, the rest is built") {
   Scene scene(kSquare, 100);
   scene.points.push_back(make_point({0, 0, 500}));
