@@ -117,6 +117,8 @@ std::string plate_complaint(const SectionSet& set, const Report& report, const R
            " units of the grid wide, is flat in spite of plates";
   if ((report.thickened_regions + report.flat_regions != 0) != (bare.flat_regions != 0))
     return "plates, but not where it was flat";
+  if (judge.grid().exact() && report.crossing_pairs > bare.crossing_pairs)
+    return "plates cross what is there";
   if (!(report.thickness <= set.options.thicken * report.diagonal)) return "plates are higher than asked";
   const double most = bare.volume + 1.001 * bare.flat_area * report.thickness;
   if (!(report.volume >= bare.volume - kVolumeTolerance * unit &&
@@ -132,9 +134,9 @@ std::string separation_complaint(const SectionSet& set, const Reconstruction& r,
   double largest = 0;
   for (const Vec3& p : r.surface.points)
     largest = std::max({largest, std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
-  const double rounding = 0x1p-51 * largest;
-  if (!(report.separation <= set.options.separation * report.diagonal + rounding))
-    return "copies moved further than asked";
+  // Places are rounded to the grid, and to doubles.
+  const double most = set.options.separation * report.diagonal * (1 + 1e-9) + 0x1p-50 * largest;
+  if (!(report.separation <= most)) return "copies moved further than asked";
   if (report.contacts == 0 && check.crossings + check.overlaps != 0)
     return "triangles cross, and none are said to touch";
   return {};

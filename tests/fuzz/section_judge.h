@@ -30,6 +30,7 @@ class SectionJudge : public Observer {
   void on_face(const FaceTriangulation& face, const Numbering& numbering) override;
   void on_solid(std::span<const std::array<std::uint32_t, 4>> solid, const Numbering& numbering) override;
 
+  const WorldGrid& grid() const { return grid_; }
   const std::string& complaint() const { return complaint_; }
   /// By plane, in input units squared: of all section triangles, and of those that no tetrahedron stands on.
   std::vector<double> section_area, flat_area;
