@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include "../../geom/box_tree.h"
+#include "../../geom/tetrahedron_meeting.h"
+
 namespace crossloft::test {
 
 void SectionJudge::on_sections(const FramedSections& framed, const Arrangement&, const SectionGraph& graph) {
@@ -32,13 +35,12 @@ void SectionJudge::on_solid(std::span<const std::array<std::uint32_t, 4>> solid,
   }
   for (Tet tet : solid) {
     if (orient3d(points_[tet[0]], points_[tet[1]], points_[tet[2]], points_[tet[3]]) <= 0)
-      complaint_ = "a tetrahedron is flat or inside out";
+      complain("a tetrahedron is flat or inside out");
     std::sort(tet.begin(), tet.end());
     tets_.insert(tet);
     for (std::size_t p = 0; p < planes_.size(); ++p) judge(tet, p);
   }
-  if (bare_ && !std::includes(tets_.begin(), tets_.end(), bare_->tets_.begin(), bare_->tets_.end()))
-    complaint_ = "the solid without plates is not in the solid";
+  if (bare_) judge_plates();
   for (std::size_t p = 0; p < planes_.size(); ++p)
     for (const auto& [triangle, covered] : sections_[p].covered) {
       section_area[p] += area(triangle);
@@ -46,6 +48,32 @@ void SectionJudge::on_solid(std::span<const std::array<std::uint32_t, 4>> solid,
       flat_area[p] += area(triangle);
       widest_flat = std::max(widest_flat, width(triangle));
     }
+}
+
+/// Nothing is gone for plates, and no tetrahedron of theirs is in another one.
+void SectionJudge::judge_plates() {
+  if (!std::includes(tets_.begin(), tets_.end(), bare_->tets_.begin(), bare_->tets_.end()))
+    complain("the solid without plates is not in the solid");
+  const auto corners = [&](const Tet& t) {
+    return LatticeTet{points_[t[0]], points_[t[1]], points_[t[2]], points_[t[3]]};
+  };
+  std::vector<LatticeTet> all;
+  std::vector<Bounds> boxes;
+  for (const Tet& tet : tets_) {
+    all.push_back(corners(tet));
+    Bounds& box = boxes.emplace_back();
+    for (const LatticePoint& p : all.back())
+      box.add({p.x - 1, p.y - 1, p.z - 1}), box.add({p.x + 1, p.y + 1, p.z + 1});
+  }
+  const BoxTree tree(boxes);
+  std::uint32_t self = kNone;
+  for (const Tet& tet : tets_) {
+    ++self;
+    if (bare_->tets_.count(tet) != 0) continue;
+    tree.for_overlaps(boxes[self], [&](std::uint32_t other) {
+      if (other != self && overlap(all[self], all[other])) complain("a plate overlaps what is there");
+    });
+  }
 }
 
 void SectionJudge::judge(const Tet& tet, std::size_t plane) {
@@ -57,14 +85,14 @@ void SectionJudge::judge(const Tet& tet, std::size_t plane) {
     if (is_side_of_plate(tet, {v[0], v[1]}, plane))
       ++plate_edges_outside;
     else
-      complaint_ = "plane " + std::to_string(plane) + ": an edge of the solid lies outside of the section";
+      complain("plane " + std::to_string(plane) + ": an edge of the solid lies outside of the section");
   }
   if (v.size() != 3) return;
   const auto at = section.covered.find({v[0], v[1], v[2]});
   if (at != section.covered.end())
     at->second = true;
   else
-    complaint_ = "plane " + std::to_string(plane) + ": a triangle of the solid lies outside of the section";
+    complain("plane " + std::to_string(plane) + ": a triangle of the solid lies outside of the section");
 }
 
 /// Of a tetrahedron that only plates can have brought, on a triangle of another plane that was flat.

@@ -30,7 +30,6 @@ class SectionJudge : public Observer {
   void on_face(const FaceTriangulation& face, const Numbering& numbering) override;
   void on_solid(std::span<const std::array<std::uint32_t, 4>> solid, const Numbering& numbering) override;
 
-  const WorldGrid& grid() const { return grid_; }
   const std::string& complaint() const { return complaint_; }
   /// By plane, in input units squared: of all section triangles, and of those that no tetrahedron stands on.
   std::vector<double> section_area, flat_area;
@@ -47,6 +46,11 @@ class SectionJudge : public Observer {
     std::set<Edge> edges;              ///< of these triangles
   };
 
+  /// The first complaint stays.
+  void complain(const std::string& text) {
+    if (complaint_.empty()) complaint_ = text;
+  }
+  void judge_plates();
   void judge(const Tet& tet, std::size_t plane);
   bool is_side_of_plate(const Tet& tet, const Edge& edge, std::size_t plane) const;
   bool has_part_of(const Edge& edge, std::size_t plane, std::size_t other) const;
