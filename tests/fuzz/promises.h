@@ -22,9 +22,9 @@ struct Verdict {
 
 /// Reconstructs and judges: no internal error; surface closed, oriented, a 2-manifold by index, its volume
 /// that of the tetrahedra; every plane met in its section but for the flat area of the report; no handle
-/// within a cell in mode natural; with plates no more outside of a section than another section has there, and
-/// nothing bare but needles, compared with the same set without; numbers of the report that agree with the result; the same bytes when told
-/// in another order to other threads.
+/// within a cell in mode natural; numbers of the report that agree with the result; the same bytes when told
+/// in another order to other threads. With plates, compared with the same set without: outside of a section
+/// no more than another section has there, nothing bare but needles.
 Verdict judge(const SectionSet& set);
 
 }  // namespace crossloft::test
