@@ -57,9 +57,9 @@ inline constexpr int kRoofRounds = 52;
 /// down by half, all in one round, and again; two units over a triangle its point looks for room all over it,
 /// with 256 feet. Who fails in too many rounds is left out, and the heights start anew: what fills the fan of
 /// a vertex first, then that of an edge, then a triangle: there was no lattice point over it, or none found
-/// that has room. No tetrahedra overlap in the result; plates of different faces, and a plate and the solid beside it, meet at
-/// the section's edges and vertices. Does not depend on the order of the obstacles. Expected O(n log n) each
-/// round.
+/// that has room. No tetrahedra overlap in the result; plates of different faces, and a plate and the solid
+/// beside it, meet at the section's edges and vertices. Does not depend on the order of the obstacles.
+/// Expected O(n log n) each round.
 CellRoofs build_roofs(const RoofSite& site);
 
 }  // namespace crossloft
