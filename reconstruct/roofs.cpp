@@ -19,18 +19,25 @@ using Edge = std::array<std::uint32_t, 2>;
 /// What fills an edge or a vertex gives up before the triangles around it do.
 constexpr int kEdgeRounds = 16, kVertexRounds = 12;
 
+/// Lattice units: further down rounding decides where a point comes to lie.
+constexpr double kLowest = 2;
+/// Feet that are tried there, and rounds that may fail over them.
+constexpr int kFeet = 256, kFeetRounds = 8;
+
 /// A point to be raised over a triangle's middle, an edge's middle or a vertex.
 struct Raised {
   Vec3 foot, up;
   double height = 0;
   LatticePoint point;
-  bool changed = true;  ///< since its tetrahedra were tested last
+  bool changed = true;             ///< since its tetrahedra were tested last
+  std::uint32_t triangle = kNone;  ///< over whose middle, if it is one
+  int feet = 0;                    ///< tried instead of the first
 };
 
 /// A triangle, an edge between two flat triangles of one face, or a vertex that they surround.
 struct Part {
   std::uint32_t raised = 0;
-  int patience = kRoofRounds;  ///< rounds that its pieces may fail before it is dropped
+  int patience = kRoofRounds + kFeetRounds;  ///< rounds that its pieces may fail before it is dropped
   int failed = 0;
   bool fails = false;  ///< in this round
   bool built = true;
@@ -52,6 +59,7 @@ struct Piece {
 class RoofBuilder {
  public:
   explicit RoofBuilder(const RoofSite& site) : site_(site), triangles_(site.triangles.size()) {
+    find_obstacles();
     name_parts();
     for (std::size_t t = 0; t < triangles_.size(); ++t) raise_middle(t);
     for (auto& [name, edge] : edges_) raise_edge(name, edge);
@@ -60,7 +68,6 @@ class RoofBuilder {
       vertex.patience = kVertexRounds;
     }
     start_ = raised_;
-    find_obstacles();
   }
 
   CellRoofs run() {
@@ -102,9 +109,9 @@ class RoofBuilder {
       if (left == 0) vertices_[name] = {};
   }
 
-  std::uint32_t raise(const Vec3& foot, const Vec3& up) {
+  std::uint32_t raise(const Vec3& foot, const Vec3& up, std::uint32_t triangle = kNone) {
     Raised r;
-    r.foot = foot, r.up = up, r.height = site_.height;
+    r.foot = foot, r.up = up, r.height = site_.height, r.triangle = triangle;
     place(r);
     for (int i = 0; i < kRoofRounds && !is_inside(r.point); ++i) lower(r);
     raised_.push_back(r);
@@ -112,7 +119,8 @@ class RoofBuilder {
   }
   void raise_middle(std::size_t t) {
     const FlatTriangle& f = site_.triangles[t];
-    triangles_[t].raised = raise(1.0 / 3 * (corner(f.v[0]) + corner(f.v[1]) + corner(f.v[2])), up_[f.face]);
+    const Vec3 middle = 1.0 / 3 * (corner(f.v[0]) + corner(f.v[1]) + corner(f.v[2]));
+    triangles_[t].raised = raise(middle, up_[f.face], static_cast<std::uint32_t>(t));
   }
   void raise_edge(const EdgeName& name, Part& edge) {
     edge.raised = raise(0.5 * (corner(name.ends[0]) + corner(name.ends[1])), up_[name.face]);
@@ -125,9 +133,29 @@ class RoofBuilder {
     r.point = make_point(LatticeVector{rounded(p.x), rounded(p.y), rounded(p.z)});
     r.changed = true;
   }
-  static void lower(Raised& r) {
+  void lower(Raised& r) const {
+    if (r.triangle != kNone && r.height <= kLowest && r.feet < kFeet) return find_room(r);
     r.height *= 0.5;
     place(r);
+  }
+  /// Over a needle, or under solid that leans over it, the room is a few units wide: feet all over the
+  /// triangle (the sequence of Roberts), until one's point rounds into it.
+  void find_room(Raised& r) const {
+    const FlatTriangle& f = site_.triangles[r.triangle];
+    const Vec3 o = corner(f.v[0]), a = corner(f.v[1]) - o, b = corner(f.v[2]) - o;
+    for (bool found = false; !found && r.feet < kFeet;) {
+      ++r.feet;
+      double u = std::fmod(0.7548776662466927 * r.feet, 1), v = std::fmod(0.5698402909980532 * r.feet, 1);
+      if (u + v > 1) u = 1 - u, v = 1 - v;
+      r.foot = o + u * a + v * b;
+      r.height = std::min(site_.height, kLowest / (1 << r.feet % 4));
+      place(r);
+      found = has_room({site_.points[f.v[0]], site_.points[f.v[1]], site_.points[f.v[2]], r.point});
+    }
+  }
+  bool has_room(const LatticeTet& tet) const {
+    return is_inside(tet[3]) && orient3d(tet[0], tet[1], tet[2], tet[3]) > 0 &&
+           !hits_obstacle(tet, box_of(tet));
   }
   bool is_inside(const LatticePoint& p) const {
     return std::all_of(site_.sides.begin(), site_.sides.end(),
@@ -145,10 +173,10 @@ class RoofBuilder {
                        [&](std::uint32_t v) { return v < kFirstRaisedPoint || is_inside(point(v)); });
   }
   /// Rounded coordinates are within half a unit.
-  Bounds box_of(const Tet& t) const {
+  static Bounds box_of(const LatticeTet& tet) {
     Bounds box;
-    for (const std::uint32_t v : t) {
-      const Vec3 p = real(point(v));
+    for (const LatticePoint& corner : tet) {
+      const Vec3 p = real(corner);
       box.add(p - Vec3{1, 1, 1});
       box.add(p + Vec3{1, 1, 1});
     }
@@ -166,14 +194,21 @@ class RoofBuilder {
 
   /// The obstacles that some roof may reach.
   void find_obstacles() {
-    std::vector<Bounds> boxes;
+    std::vector<Bounds> boxes, obstacle_boxes;
     for (const FlatTriangle& t : site_.triangles) boxes.push_back(box_of_triangle(t));
     const BoxTree tree(boxes);
     for (const Tet& o : site_.obstacles) {
       bool near = false;
-      tree.for_overlaps(box_of(o), [&](std::uint32_t) { near = true; });
-      if (near) obstacles_.push_back(o), obstacle_boxes_.push_back(box_of(o));
+      const Bounds box = box_of(corners(o));
+      tree.for_overlaps(box, [&](std::uint32_t) { near = true; });
+      if (near) obstacles_.push_back(o), obstacle_boxes.push_back(box);
     }
+    around_ = BoxTree(obstacle_boxes);
+  }
+  bool hits_obstacle(const LatticeTet& tet, const Bounds& box) const {
+    bool hit = false;
+    around_.for_overlaps(box, [&](std::uint32_t o) { hit = hit || overlap(tet, corners(obstacles_[o])); });
+    return hit;
   }
 
   /// An edge needs both triangles, a vertex all edges around it.
@@ -242,16 +277,14 @@ class RoofBuilder {
   std::vector<std::uint8_t> misfits() const {
     std::vector<std::uint8_t> bad(pieces_.size(), 0);
     std::vector<Bounds> boxes;
-    for (const Piece& p : pieces_) boxes.push_back(box_of(p.tet));
-    const BoxTree tree(boxes), around(obstacle_boxes_);
+    for (const Piece& p : pieces_) boxes.push_back(box_of(corners(p.tet)));
+    const BoxTree tree(boxes);
     for (std::size_t i = 0; i < pieces_.size(); ++i) bad[i] = is_sound(pieces_[i].tet) ? 0 : 1;
     const std::vector<std::uint8_t> unsound = bad;
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
       if (unsound[i] != 0 || !has_changed(pieces_[i].tet)) continue;
       const LatticeTet mine = corners(pieces_[i].tet);
-      around.for_overlaps(boxes[i], [&](std::uint32_t o) {
-        if (bad[i] == 0 && overlap(mine, corners(obstacles_[o]))) bad[i] = 1;
-      });
+      if (bad[i] == 0 && hits_obstacle(mine, boxes[i])) bad[i] = 1;
       tree.for_overlaps(boxes[i], [&](std::uint32_t j) {
         const Tet& other = pieces_[j].tet;
         if (j == i || unsound[j] != 0 || (j < i && has_changed(other))) return;
@@ -306,7 +339,7 @@ class RoofBuilder {
   std::vector<Raised> raised_, start_;
   std::vector<Piece> pieces_;
   std::vector<Tet> obstacles_;
-  std::vector<Bounds> obstacle_boxes_;
+  BoxTree around_{std::span<const Bounds>()};  ///< their boxes
 };
 
 }  // namespace

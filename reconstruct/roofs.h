@@ -49,16 +49,17 @@ struct CellRoofs {
   double height = 0;                               ///< of the highest point raised, lattice units
 };
 
-/// Rounds in which a triangle's roof may fail before it is left out.
-inline constexpr int kRoofRounds = 24;
+/// Rounds in which a point over a triangle may come down by half: from any height to less than a unit.
+inline constexpr int kRoofRounds = 52;
 
 /// Builds what can be built. A raised point starts at the full height, or lower where the cell ends; where a
 /// tetrahedron overlaps an obstacle or another one, or is turned over by rounding, its raised points come
-/// down by half, all in one round, and again. Who fails in too many rounds is left out, and the heights start
-/// anew: what fills the fan of a vertex first, then that of an edge, then, after kRoofRounds, a triangle. No
-/// tetrahedra overlap in the result; plates of different faces, and a plate and the solid beside it, meet at
-/// the section's edges and vertices. Does not depend on the order of the obstacles. Expected O(n log n) each
-/// round.
+/// down by half, all in one round, and again; two units over a triangle its point looks for room all over it,
+/// with 256 feet. Who fails in too many rounds is left out, and the heights start anew: what fills the fan of
+/// a vertex first, then that of an edge, then a triangle: there was no lattice point over it, or none found
+/// that has room. No tetrahedra overlap in the result; plates of different faces, and a plate and the solid
+/// beside it, meet at the section's edges and vertices. Does not depend on the order of the obstacles.
+/// Expected O(n log n) each round.
 CellRoofs build_roofs(const RoofSite& site);
 
 }  // namespace crossloft

@@ -1,5 +1,6 @@
 #include "promises.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "../../inspect/check.h"
@@ -12,6 +13,7 @@ namespace {
 
 constexpr double kAreaTolerance = 1e-10;   // of the squared diagonal
 constexpr double kVolumeTolerance = 1e-9;  // of the cubed diagonal
+constexpr double kNeedle = 2;              // units of the grid: what is no wider may have no room for a plate
 
 std::string number(double x) {
   char text[32];
@@ -105,18 +107,48 @@ std::string twice_complaint(const SectionSet& set, const Reconstruction& r) {
   return hash(*again) == hash(r) ? "" : "another result when told in another order";
 }
 
-}  // namespace
+/// What plates do beside the sections: nothing is bare any more but needles, and they are no higher than
+/// asked.
+std::string plate_complaint(const SectionSet& set, const Report& report, const Report& bare,
+                            const SectionJudge& judge) {
+  const double unit = std::pow(report.diagonal, 3);
+  if (judge.widest_flat > kNeedle)
+    return "an area of " + number(report.flat_area) + ", " + number(judge.widest_flat) +
+           " units of the grid wide, is flat in spite of plates";
+  if ((report.thickened_regions + report.flat_regions != 0) != (bare.flat_regions != 0))
+    return "plates, but not where it was flat";
+  if (!(report.thickness <= set.options.thicken * report.diagonal)) return "plates are higher than asked";
+  const double most = bare.volume + 1.001 * bare.flat_area * report.thickness;
+  if (!(report.volume >= bare.volume - kVolumeTolerance * unit &&
+        report.volume <= most + kVolumeTolerance * unit))
+    return "the volume is " + number(report.volume) + " with plates, " + number(bare.volume) + " without";
+  return {};
+}
 
-Verdict judge(const SectionSet& set) {
-  Verdict verdict;
+/// Of moves that were asked for.
+std::string separation_complaint(const SectionSet& set, const Reconstruction& r, const CheckReport& check) {
+  const Report& report = r.report;
+  if (set.options.separation == 0) return {};
+  double largest = 0;
+  for (const Vec3& p : r.surface.points)
+    largest = std::max({largest, std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
+  // Places are rounded to the grid, and to doubles.
+  const double most = set.options.separation * report.diagonal * (1 + 1e-9) + 0x1p-50 * largest;
+  if (!(report.separation <= most)) return "copies moved further than asked";
+  if (report.contacts == 0 && check.crossings + check.overlaps != 0)
+    return "triangles cross, and none are said to touch";
+  return {};
+}
+
+/// One run, judged; nothing if it was refused.
+std::optional<Reconstruction> judge_run(const SectionSet& set, SectionJudge& sections, Verdict& verdict) {
   Context context;
   context.threads = set.threads;
-  SectionJudge sections;
-  const auto r = reconstruct(set.sections, set.options, context, &sections);
+  auto r = reconstruct(set.sections, set.options, context, &sections);
   if (!r) {
     verdict.error = r.error().code;
     verdict.broken = refused(set, r.error());
-    return verdict;
+    return {};
   }
   verdict.empty = r->surface.triangles.empty();
   const CheckReport check = check_surface(r->surface);
@@ -124,7 +156,44 @@ Verdict judge(const SectionSet& set) {
   verdict.broken = surface_complaint(*r, check);
   if (verdict.broken.empty()) verdict.broken = section_complaint(*r, sections);
   if (verdict.broken.empty()) verdict.broken = report_complaint(*r);
+  if (verdict.broken.empty()) verdict.broken = separation_complaint(set, *r, check);
   if (verdict.broken.empty() && set.told_twice) verdict.broken = twice_complaint(set, *r);
+  return std::move(r).value();
+}
+
+/// First without plates, to know what they have brought.
+Verdict judge_with_plates(const SectionSet& set) {
+  Verdict verdict;
+  SectionSet without = set;
+  without.options.thicken = without.options.separation = 0;
+  without.told_twice = false;
+  SectionJudge bare;
+  const auto before = judge_run(without, bare, verdict);
+  if (!verdict.broken.empty()) {
+    verdict.broken = "without plates: " + verdict.broken;
+    return verdict;
+  }
+  const bool refused_before = verdict.error.has_value();
+  verdict = {};
+  SectionJudge sections(bare);
+  const auto r = judge_run(set, sections, verdict);
+  if (!verdict.broken.empty()) return verdict;
+  if (verdict.error.has_value() != refused_before)
+    verdict.broken = "refused only with plates, or only without";
+  else if (r)
+    verdict.broken = plate_complaint(set, r->report, before->report, sections);
+  verdict.outside = sections.plate_edges_outside;
+  verdict.bare = r && r->report.flat_regions != 0;
+  return verdict;
+}
+
+}  // namespace
+
+Verdict judge(const SectionSet& set) {
+  if (set.options.thicken > 0) return judge_with_plates(set);
+  Verdict verdict;
+  SectionJudge sections;
+  judge_run(set, sections, verdict);
   return verdict;
 }
 

@@ -1,9 +1,11 @@
 /// Random small section sets through the pipeline, each judged by all promises (promises.h).
 ///
 ///   stress [--count N] [--seed S] [--first K] [--threads T] [--keep FOLDER] [--mode
-///   natural|joint|paper|careful]
+///   natural|joint|paper|careful|thick]
 ///
-/// Mode careful: natural, with points inside all cells, and joins in doubt decided by what is around.
+/// Mode careful: natural, with points inside all cells, and joins in doubt decided by what is around in all.
+/// Mode thick: any of the three, with plates over what is flat, and some with all copies moved apart or as
+/// careful.
 /// Input k of seed S is the same whatever the others are: --first K --count 1 repeats it. Broken promises are
 /// printed, with --keep also kept as FOLDER/S-K.bytes (an input of the fuzz target) and FOLDER/S-K.contour.
 /// Exit 1 if there was one.
@@ -35,12 +37,13 @@ struct Arguments {
   std::uint64_t count = 2000, seed = 1, first = 0, threads = 1;
   std::string keep;
   std::optional<PruneMode> mode;
-  bool careful = false;
+  bool careful = false, thick = false;
 };
 
 /// What was seen of one kind of set.
 struct Tally {
-  std::uint64_t inputs = 0, refused = 0, too_thin = 0, empty = 0, broken = 0, with_crossings = 0;
+  std::uint64_t inputs = 0, refused = 0, too_thin = 0, empty = 0, broken = 0, with_crossings = 0, outside = 0,
+                bare = 0;
   void add(const Verdict& v) {
     ++inputs;
     refused += v.error.has_value();
@@ -48,6 +51,8 @@ struct Tally {
     empty += v.empty;
     broken += !v.broken.empty();
     with_crossings += v.crossings != 0;
+    outside += v.outside != 0;
+    bare += v.bare;
   }
 };
 
@@ -81,6 +86,7 @@ class Stress {
     SectionSet set = draw_section_set(source);
     if (arguments_.mode) set.options.mode = *arguments_.mode;
     if (arguments_.careful) set.options.natural.divide = set.options.natural.look_around = InCells::all;
+    if (arguments_.thick) draw_plates(k, set.options);
     const auto begin = std::chrono::steady_clock::now();
     const Verdict verdict = judge(set);
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
@@ -89,6 +95,18 @@ class Stress {
     if (took.count() > slowest_) slowest_ = took.count(), slowest_input_ = k;
     if (!verdict.broken.empty())
       report(k, set, verdict, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+  }
+
+  /// From numbers of their own, so that the set is that of the other modes.
+  void draw_plates(std::uint64_t k, Options& options) const {
+    static constexpr double kHeights[] = {0.01, 0.01, 1e-3, 0.2, 1, 1e-9};
+    static constexpr double kMoves[] = {0, 0, 1e-3, 0.05};
+    const auto bytes = bytes_of(~arguments_.seed, k);
+    ByteSource source(bytes);
+    options.thicken = source.one_of(kHeights);
+    options.separation = source.one_of(kMoves);
+    options.natural.divide = source.one_in(4) ? InCells::all : InCells::automatic;
+    options.natural.look_around = source.one_in(4) ? InCells::all : InCells::automatic;
   }
 
   void report(std::uint64_t k, const SectionSet& set, const Verdict& verdict, std::string_view bytes) const {
@@ -105,19 +123,21 @@ class Stress {
 
   static void print_line(const char* name, const Tally& t) {
     std::printf("%-10s", name);
-    for (const std::uint64_t n : {t.inputs, t.refused, t.too_thin, t.empty, t.with_crossings, t.broken})
+    for (const std::uint64_t n :
+         {t.inputs, t.refused, t.too_thin, t.empty, t.with_crossings, t.outside, t.bare, t.broken})
       std::printf(" %9llu", static_cast<unsigned long long>(n));
     std::printf("\n");
   }
 
   bool print() const {
     Tally all;
-    std::printf("%-10s %9s %9s %9s %9s %9s %9s\n", "planes", "inputs", "refused", "too thin", "empty",
-                "crossings", "broken");
+    std::printf("%-10s %9s %9s %9s %9s %9s %9s %9s %9s\n", "planes", "inputs", "refused", "too thin", "empty",
+                "crossings", "outside", "bare", "broken");
     for (const auto& [name, t] : tallies_) {
       print_line(name.c_str(), t);
       all.inputs += t.inputs, all.refused += t.refused, all.too_thin += t.too_thin, all.empty += t.empty;
-      all.with_crossings += t.with_crossings, all.broken += t.broken;
+      all.with_crossings += t.with_crossings, all.outside += t.outside, all.bare += t.bare,
+          all.broken += t.broken;
     }
     print_line("all", all);
     std::printf("slowest: input %llu, %.3f s\n", static_cast<unsigned long long>(slowest_input_), slowest_);
@@ -140,6 +160,8 @@ bool parse_number(const char* text, std::uint64_t& number) {
 bool parse_mode(const std::string& name, Arguments& a) {
   a.careful = name == "careful";
   if (a.careful) a.mode = PruneMode::natural;
+  a.thick = name == "thick";
+  if (a.thick) return true;
   for (const PruneMode m : {PruneMode::natural, PruneMode::joint, PruneMode::paper})
     if (name == name_of(m)) a.mode = m;
   return a.mode.has_value();

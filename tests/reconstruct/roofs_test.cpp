@@ -106,6 +106,40 @@ TEST_CASE("solid above it keeps it low where it is, and at the vertex it stands 
   CHECK(standing.tets.size() < hanging.tets.size());
 }
 
+// Points came down by half in 24 rounds at most, which ended far above it.
+TEST_CASE("a plate gets under solid that hangs a few units over it") {
+  constexpr std::int64_t kFar = std::int64_t{1} << 40;
+  Scene scene({{kFar, kFar, 0}, {-kFar, kFar, 0}, {-kFar, -kFar, 0}, {kFar, -kFar, 0}}, kFar);
+  scene.site.sides[1] = {make_axis_plane(2, 4 * kFar), -1};
+  scene.points.push_back(make_point({-4 * kFar, -4 * kFar, 4}));
+  scene.points.push_back(make_point({4 * kFar, -4 * kFar, 4}));
+  scene.points.push_back(make_point({0, 4 * kFar, 4}));
+  scene.points.push_back(make_point({0, 0, kFar}));
+  scene.site.obstacles = {{5, 6, 7, 8}};
+  const CellRoofs r = scene.build();
+  CHECK(r.built == std::vector<std::uint8_t>(4, 1));
+  CHECK(r.height <= 4.5);
+}
+
+// Three tetrahedra around its long side lean over the needle, 4.6 units wide: at the lowest place over its middle
+// the point was rounded into them.
+TEST_CASE("a needle under solid gets a plate where a point rounds into the room there is") {
+  Scene scene({}, 522165);
+  for (const LatticeVector& p : std::vector<LatticeVector>{{-17592168452226, 35184354496646, -17592168452226},
+                                                           {4, 0, 4},
+                                                           {-28745179957415, 38116403096235, -53351664793603},
+                                                           {-25956927081118, 76965818342367, -62003981150721},
+                                                           {-24189249763755, 8796088624162, -37383383799509},
+                                                           {-25813142352943, 102621091123155, -56283702398076}})
+    scene.points.push_back(make_point(p));
+  scene.triangles = {{3, {0, 1, 2}}};
+  scene.site.sides = {{make_lattice_plane({0, 0, 0}, {0, 1, 0}, {1, 0, 1}), 1}};
+  scene.site.obstacles = {{1, 2, 3, 4}, {5, 2, 3, 1}, {1, 2, 4, 6}};
+  const CellRoofs r = scene.build();
+  CHECK(r.built == std::vector<std::uint8_t>{1});
+  CHECK(r.height <= 2);
+}
+
 TEST_CASE("what is blocked altogether is left out, the rest is built") {
   Scene scene(kSquare, 100);
   scene.points.push_back(make_point({0, 0, 500}));

@@ -1,6 +1,7 @@
 /// Flat regions as thin plates: the solid meets each plane in its section, whole.
 
 #include "../../inspect/check.h"
+#include "../arrangement/polygon_sections.h"
 #include "../fuzz/section_judge.h"
 #include "shown.h"
 
@@ -83,6 +84,91 @@ TEST_CASE("with plates no section is bare, and the solid meets each plane in its
   }
   MESSAGE(regions << " flat regions");
   CHECK(regions > 20);
+}
+
+// Over a needle between two planes 1e-9 apart solid leaves room of some thousand units of the grid, less than
+// what 24 halvings of the height had come to.
+TEST_CASE("a plate fits into a narrow wedge between solid and section") {
+  Options options;
+  options.thicken = 0.01;
+  const auto r = reconstruct(load("plate_in_a_wedge.contour", "/tests/reconstruct/cases/"), options);
+  REQUIRE(r.ok());
+  CHECK(r->report.thickened_regions > 0);
+  CHECK(r->report.flat_area == 0);
+  CHECK(check_surface(r->surface).good_topology());
+}
+
+namespace {
+
+/// A disk whose upright neighbour ends half way across it.
+Sections disagreeing_disks() {
+  Sections sections{"", {disk({0, 0, 1}, {0, 0, 0}, 1, 12), disk({0, 0, 1}, {0, 0, 1}, 1, 12)}};
+  sections.planes.push_back(plane_at({1, 0, 0}, {0.1, 0, 0}));
+  add_contour(sections.planes.back(), {{0.1, -1, -0.5}, {0.1, 0.5, -0.5}, {0.1, 0.5, 1.5}, {0.1, -1, 1.5}});
+  return sections;
+}
+
+/// Shows the judge tetrahedra that there are not: at each side of each plate's base one that stands on this side
+/// alone.
+class Forger : public SectionJudge {
+ public:
+  Forger(const SectionJudge& bare, std::size_t points) : SectionJudge(bare), points_(points) {}
+  std::size_t forged = 0;
+
+  void on_solid(std::span<const test::Tet> solid, const Numbering& numbering) override {
+    const auto raised = static_cast<std::uint32_t>(numbering.points.size() - 1);
+    std::vector<test::Tet> tets(solid.begin(), solid.end());
+    const auto is_corner = [&](std::uint32_t v) { return v < points_; };
+    for (test::Tet t : solid) {
+      std::partition(t.begin(), t.end(), is_corner);
+      if (std::count_if(t.begin(), t.end(), is_corner) != 3 || t[3] == raised) continue;
+      for (const auto& e : {test::Edge{t[0], t[1]}, test::Edge{t[1], t[2]}, test::Edge{t[2], t[0]}}) {
+        const auto p = [&](std::uint32_t v) { return numbering.points[v]; };
+        const int turn = orient3d(p(e[0]), p(e[1]), p(t[3]), p(raised));
+        if (turn > 0) tets.push_back({e[0], e[1], t[3], raised});
+        if (turn < 0) tets.push_back({e[1], e[0], t[3], raised});
+        forged += turn != 0;
+      }
+    }
+    SectionJudge::on_solid(tets, numbering);
+  }
+
+ private:
+  std::size_t points_;  ///< of the run without plates
+};
+
+}  // namespace
+
+TEST_CASE("where sections disagree on a common line a plate has what one has of it, and the judge allows no more") {
+  const Sections sections = disagreeing_disks();
+  Options options;
+  SectionJudge bare;
+  const auto without = reconstruct(sections, options, {}, &bare);
+  REQUIRE(without.ok());
+  CHECK(bare.complaint() == "");
+  CHECK(bare.widest_flat > 0);
+  options.thicken = 0.01;
+  SectionJudge thick(bare);
+  const auto r = reconstruct(sections, options, {}, &thick);
+  REQUIRE(r.ok());
+  CHECK(thick.complaint() == "");
+  CHECK(thick.plate_edges_outside > 0);
+  CHECK(thick.widest_flat == 0);
+  CHECK(r->report.flat_area == 0);
+
+  const auto said_of = [&](SectionJudge&& judge) {
+    REQUIRE(reconstruct(sections, options, {}, &judge).ok());
+    return judge.complaint();
+  };
+  const auto is_edge_outside = [](const std::string& said) {
+    return said.find("an edge of the solid lies outside") != std::string::npos;
+  };
+  CHECK(is_edge_outside(said_of(SectionJudge())));       // no plates were to be expected
+  CHECK(is_edge_outside(said_of(SectionJudge(thick))));  // nor where nothing was flat
+  Forger forger(bare, without->solid.points.size());
+  REQUIRE(reconstruct(sections, options, {}, &forger).ok());
+  CHECK(forger.forged > 0);
+  CHECK(is_edge_outside(forger.complaint()));
 }
 
 TEST_CASE("without plates they are left out and told of") {
