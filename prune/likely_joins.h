@@ -3,7 +3,7 @@
 ///
 /// A confidence looks at one cell. Whether a tube that ends in two sections goes on between them or bends
 /// away shows in the planes beyond, and the function goes on as the sections around do. Sections are one body
-/// where it is positive on a way between them.
+/// where it is clearly positive on a way between them.
 
 #include <cstdint>
 #include <optional>
