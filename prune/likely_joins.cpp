@@ -16,8 +16,9 @@ constexpr double kSurelyApart = -0.5, kSurelyJoined = 0.05;
 /// How far the function looks, in radii of the cell: a little beyond it, into the planes around.
 constexpr double kReach = 1.1;
 /// What the function must exceed, in radii of the cell. Samples are a sixth of one apart: a gap that is
-/// narrower than that does not show, and the function is a little above 0 in it.
-constexpr double kLeastValue = 0.04;
+/// narrower than that does not show, and the function is a little above 0 in it. Less in tetrahedra that are
+/// kept already.
+constexpr double kLeastValue = 0.04, kLeastWhereKept = 0.01;
 
 /// With more sections in a cell they are small against it, and the samples too far apart to tell them from
 /// what is around; and there is a wish for each pair.
@@ -35,14 +36,16 @@ std::optional<SmoothFunction> function_around(const CellComplex& complex, const 
   return SmoothFunction::through(shape.field->get().samples(centre, kReach * radius), centre, radius);
 }
 
-/// Whether the function is above that somewhere at the centroid of a tetrahedron or half way to its vertices.
-bool is_likely(const CellComplex& complex, const CellShape& shape, const SmoothFunction& f, std::uint32_t t) {
+/// Whether the function is above `least` somewhere at the centroid of a tetrahedron or half way to its
+/// vertices.
+bool is_likely(const CellComplex& complex, const CellShape& shape, const SmoothFunction& f, double least,
+               std::uint32_t t) {
   const auto v = sorted_vertices(complex.mesh, t);
   const auto& at = shape.points;
   const Vec3 centroid = 0.25 * ((at[v[0]] + at[v[1]]) + (at[v[2]] + at[v[3]]));
   const auto is_above = [&](Vec3 p, Vec3 q) {
     const auto [at_p, at_q] = f.at(p, q);
-    return at_p > kLeastValue || at_q > kLeastValue;
+    return at_p > least || at_q > least;
   };
   const auto towards = [&](unsigned k) { return 0.5 * (centroid + at[v[k]]); };
   return is_above(centroid, towards(0)) || is_above(towards(1), towards(2)) || is_above(towards(3), centroid);
@@ -134,8 +137,9 @@ std::optional<JoinPlan> plan_joins(const CellComplex& complex, const CellShape& 
   if (parts.size() > kMostParts) return std::nullopt;
   const auto f = function_around(complex, shape);
   if (!f) return std::nullopt;
-  Reached wanted = reach(complex, ground,
-                         [&](std::uint32_t t) { return r1[t] != 0 && is_likely(complex, shape, *f, t); });
+  Reached wanted = reach(complex, ground, [&](std::uint32_t t) {
+    return r1[t] != 0 && is_likely(complex, shape, *f, kept[t] != 0 ? kLeastWhereKept : kLeastValue, t);
+  });
   if (!sees_sure_joins(possible, parts, wanted)) return std::nullopt;
   Reached found = reach(complex, ground, [&](std::uint32_t t) { return kept[t] != 0; });
   JoinPlan plan;
