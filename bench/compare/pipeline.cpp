@@ -28,20 +28,11 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 /// The points of each cell that was triangulated, as rounded lattice coordinates.
 class CellPoints : public Observer {
  public:
-  void on_face(const FaceTriangulation&, const Numbering& numbering) override {
-    if (lattice_.size() != numbering.points.size()) lattice_ = numbering.points;
-  }
   void on_cell(CellId, const BuiltCell& cell, const PruneResult&) override {
     std::vector<Kernel::Point_3>& points = cells.emplace_back();
-    for (const std::uint32_t v : cell.vertices) {
-      const LatticePoint& p = lattice_[v];
-      points.emplace_back(p.x, p.y, p.z);
-    }
+    for (const LatticePoint& p : cell.points) points.emplace_back(p.x, p.y, p.z);
   }
   std::vector<std::vector<Kernel::Point_3>> cells;
-
- private:
-  std::vector<LatticePoint> lattice_;  ///< by number
 };
 
 double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
