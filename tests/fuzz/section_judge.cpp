@@ -116,11 +116,11 @@ bool SectionJudge::has_part_of(const Edge& edge, std::size_t plane, std::size_t 
   const auto before = [&](std::uint32_t a, std::uint32_t b) {
     return compare_lex(points_[a], points_[b]) < 0;
   };
-  const auto [low, high] = std::minmax(edge[0], edge[1], before);
+  const auto ends = std::minmax(edge[0], edge[1], before);  // into the edge
   return std::any_of(sections_[plane].edges.begin(), sections_[plane].edges.end(), [&](const Edge& e) {
     if (!on_[other][e[0]] || !on_[other][e[1]]) return false;
     const auto [from, to] = std::minmax(e[0], e[1], before);
-    return before(from, high) && before(low, to);
+    return before(from, ends.second) && before(ends.first, to);
   });
 }
 
