@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <queue>
+#include <utility>
 
 #include "../geom/disjoint_sets.h"
 #include "contact.h"
@@ -158,15 +159,33 @@ std::vector<OutsideAt> outside_of_facets(const CellComplex& complex, const Groun
 
 }  // namespace
 
+/// What all bodies are asked with; as there may be many of them it is made once.
+struct SecondLook::View {
+  explicit View(const SecondLook& look)
+      : bodies(look.complex_, look.ground_, look.kept_), preference(look.kept_.size(), order(look)) {}
+
+  static std::vector<std::uint32_t> order(const SecondLook& look) {
+    std::vector<std::uint8_t> free(look.kept_.size());
+    for (std::size_t t = 0; t < free.size(); ++t) free[t] = look.candidates_[t] != 0 && look.kept_[t] == 0;
+    return by_confidence(look.complex_, free, look.confidence_);
+  }
+
+  Bodies bodies;
+  Preference preference;
+  std::vector<std::pair<TetName, std::uint32_t>> names;  ///< kept ones, ascending; only for answers
+};
+
 Way SecondLook::way_from(const TetName& body) const {
   const std::uint32_t start = tet_of_name(complex_.mesh, body);
   if (start == kNone || kept_[start] == 0) return {};
-  Bodies bodies(complex_, ground_, kept_);
+  View view(*this);
+  return way_from(view, start);
+}
+
+Way SecondLook::way_from(View& view, std::uint32_t start) const {
+  auto& [bodies, preference, names] = view;
   const std::uint32_t own = bodies.of_tet(start);
   if (!bodies.stands_on_one_part(own)) return {};
-  std::vector<std::uint8_t> free(kept_.size());
-  for (std::size_t t = 0; t < free.size(); ++t) free[t] = candidates_[t] != 0 && kept_[t] == 0;
-  const Preference preference(free.size(), by_confidence(complex_, free, confidence_));
   std::vector<std::uint32_t> starts;
   for (const std::uint32_t t : preference.order)
     if (bodies.touches(t, own)) starts.push_back(t);
@@ -184,18 +203,19 @@ Way SecondLook::way_from(const TetName& body) const {
   return way;
 }
 
-BodyAnswer SecondLook::answer_body(const std::vector<TetName>& names) const {
+BodyAnswer SecondLook::answer_body(View& view, const std::vector<TetName>& names) const {
   BodyAnswer answer;
-  Bodies bodies(complex_, ground_, kept_);
-  std::uint32_t own = kNone;
+  std::uint32_t own = kNone, start = kNone;
   for (const TetName& name : names) {
-    const std::uint32_t t = tet_of_name(complex_.mesh, name);
-    if (t == kNone || kept_[t] == 0 || (own != kNone && bodies.of_tet(t) != own)) return answer;
-    own = bodies.of_tet(t);
+    const auto place = std::lower_bound(view.names.begin(), view.names.end(), std::pair(name, 0U));
+    if (place == view.names.end() || place->first != name) return answer;
+    if (own != kNone && view.bodies.of_tet(place->second) != own) return answer;
+    own = view.bodies.of_tet(place->second);
+    if (start == kNone) start = place->second;
   }
-  answer.is_alone = own != kNone && bodies.stands_on_one_part(own);
+  answer.is_alone = own != kNone && view.bodies.stands_on_one_part(own);
   if (!answer.is_alone) return answer;
-  const Way way = way_from(names[0]);
+  const Way way = way_from(view, start);
   answer.can_join = !way.tets.empty();
   answer.confidence = way.join.confidence;
   answer.target = way.target;
@@ -236,7 +256,13 @@ CavityAnswer SecondLook::answer_part(const OutsidePart& part, std::uint32_t star
 
 Answers SecondLook::answer(const SecondThoughts& questions) const {
   Answers answers;
-  for (const auto& names : questions.bodies) answers.bodies.push_back(answer_body(names));
+  if (!questions.bodies.empty()) {
+    View view(*this);
+    for (std::uint32_t t = 0; t < kept_.size(); ++t)
+      if (kept_[t] != 0) view.names.push_back({sorted_vertices(complex_.mesh, t), t});
+    std::sort(view.names.begin(), view.names.end());
+    for (const auto& names : questions.bodies) answers.bodies.push_back(answer_body(view, names));
+  }
   const std::vector<OutsideAt> seen =
       questions.cavities.empty() ? std::vector<OutsideAt>{} : outside_of_facets(complex_, ground_, kept_);
   for (const auto& facets : questions.cavities) {

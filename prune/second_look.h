@@ -61,7 +61,7 @@ class SecondLook {
              const std::vector<std::uint8_t>& kept, std::span<const std::int32_t> confidence)
       : complex_(complex), ground_(ground), candidates_(candidates), kept_(kept), confidence_(confidence) {}
 
-  /// One answer for each question, in the order of the questions. O(n log n), and as much again for each body
+  /// One answer for each question, in the order of the questions. O(n log n), and O(n) again for each body
   /// that is alone and each part of a cavity.
   Answers answer(const SecondThoughts& questions) const;
   /// The way from a body to another one that is most confident where it is weakest, if simple moves and one
@@ -69,7 +69,9 @@ class SecondLook {
   Way way_from(const TetName& body) const;
 
  private:
-  BodyAnswer answer_body(const std::vector<TetName>& names) const;
+  struct View;
+  BodyAnswer answer_body(View& view, const std::vector<TetName>& names) const;
+  Way way_from(View& view, std::uint32_t start) const;
   CavityAnswer answer_part(const OutsidePart& part, std::uint32_t start) const;
 
   const CellComplex& complex_;

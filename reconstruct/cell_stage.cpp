@@ -356,8 +356,8 @@ Result<Done> Pipeline::fill_cells() {
     if (auto done = prune_due_cells(); !done) return done;
   }
   points_may_come_ = false;
-  number_inside_points();
   for (CellState& cell : cells_) cell.triangulation.reset();
+  number_inside_points();
   drop_what_samples_need();
   build_bridges();
   if (options_.mode == PruneMode::natural)

@@ -1,6 +1,7 @@
 #include "cell_triangulation.h"
 
 #include <algorithm>
+#include <cassert>
 #include <chrono>
 
 #include "../geom/disjoint_sets.h"
@@ -83,6 +84,7 @@ Result<Done> CellTriangulation::add_inside(std::span<const LatticePoint> points,
 }
 
 void CellTriangulation::renumber(std::span<const std::uint32_t> new_number) {
+  assert(inside_count_ == 0);
   for (std::uint32_t& number : vertices_.numbers) number = new_number[number];
 }
 
