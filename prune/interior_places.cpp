@@ -17,6 +17,10 @@ namespace {
 /// solid loses with them is not missed.
 constexpr double kLeastVolume = 0.002;
 
+/// Ways are not looked for between more sets of sections than these: each takes a search of its own, and
+/// where there are so many they are small against the cell. Real cells have a handful.
+constexpr std::size_t kMostClasses = 64;
+
 /// Sorted vertices in all of these, so that rounding does not depend on their order.
 Vec3 centroid(const CellComplex& complex, const CellShape& shape, std::uint32_t t) {
   const auto v = sorted_vertices(complex.mesh, t);
@@ -59,12 +63,13 @@ class LackingWays {
     connect();
   }
 
-  bool any() const { return classes_.size() > 1; }
+  bool any() const { return classes_.size() > 1 && classes_.size() <= kMostClasses; }
 
   /// From each class of sections but a largest one, which the others find; calls act(t, facet) for
   /// each tetrahedron on the way and the facet of it that leads on, kNone at the end.
   template <class Act>
   void find(ConfidenceMeter& meter, std::int32_t least, Act&& act) {
+    if (!any()) return;
     for (const std::uint32_t start : classes_) {
       if (is_largest(start)) continue;
       const std::vector<std::uint32_t> way = way_from(start, meter, least);

@@ -20,10 +20,10 @@ namespace crossloft {
 /// is inside the cell yet; 0 was found by measuring, with confidences as they are for such tetrahedra. (2)
 /// Where R1 does not connect sections that R0 does: the most confident way from each, if it is as sure as
 /// `least`; the centroids of its external tetrahedra and of the facets between two of them. A way along
-/// external edges takes a few rounds until R1 has it. Coordinates of the shape, in no meaningful order; they
-/// do not depend on the numbers of the tetrahedra. O(n) and a confidence for each
-/// large external tetrahedron; where sections are not connected those of all, and O(n log n) for each set of
-/// sections that are.
+/// external edges takes a few rounds until R1 has it. Not between more than 64 such sets. Coordinates of the
+/// shape, in no meaningful order; they do not depend on the numbers of the tetrahedra. O(n) and a confidence
+/// for each large external tetrahedron; where sections are not connected those of all, and O(n log n) for
+/// each set of sections that are.
 std::vector<Vec3> interior_places(const CellComplex& complex, const CellShape& shape, const Ground& ground,
                                   std::int32_t least);
 

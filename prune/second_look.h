@@ -61,8 +61,8 @@ class SecondLook {
              const std::vector<std::uint8_t>& kept, std::span<const std::int32_t> confidence)
       : complex_(complex), ground_(ground), candidates_(candidates), kept_(kept), confidence_(confidence) {}
 
-  /// One answer for each question, in the order of the questions. O(n log n), and O(n) again for each body
-  /// that is alone and each part of a cavity.
+  /// One answer for each question, in the order of the questions. O(n log n), O(n) again for each body that
+  /// is alone, and O(n log n) for each part of a cavity.
   Answers answer(const SecondThoughts& questions) const;
   /// The way from a body to another one that is most confident where it is weakest, if simple moves and one
   /// join add it; else nothing. REQUIRES: the body stands on one part of the sections, else there is no way.

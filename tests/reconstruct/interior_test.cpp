@@ -1,6 +1,7 @@
 /// Points inside cells: what can be joined with them, and that they leave no trace elsewhere.
 
 #include <cmath>
+#include <utility>
 
 #include "../../inspect/check.h"
 #include "../../inspect/slice.h"
@@ -42,7 +43,34 @@ PlaneSection square(double z, double centre) {
   return section;
 }
 
+/// Small squares, `rows` times `rows`, on the plane { x_axis = 0 }.
+PlaneSection squares(int axis, int rows) {
+  PlaneSection section = plane(axis == 0 ? Vec3{1, 0, 0} : Vec3{0, 1, 0}, {0, 0, 0});
+  for (int i = 0; i < rows; ++i)
+    for (int j = 0; j < rows; ++j) {
+      const double u = i + 0.5 - rows / 2.0 + 0.01 * (j % 3), z = j + 0.01 * (i % 4);
+      const auto first = static_cast<std::uint32_t>(section.vertices.size());
+      for (const auto& [du, dz] : {std::pair{-0.3, -0.3}, {0.3, -0.3}, {0.3, 0.3}, {-0.3, 0.3}})
+        section.vertices.push_back(axis == 0 ? Vec3{0, u + du, z + dz} : Vec3{u + du, 0, z + dz});
+      for (std::uint32_t k = 0; k < 4; ++k)
+        section.edges.push_back({first + k, first + (k + 1) % 4, 1, 0, first / 4, 0});
+    }
+  return section;
+}
+
 }  // namespace
+
+TEST_CASE("between many small sections of a cell no ways are looked for: a search for each takes time") {
+  for (const int rows : {4, 12}) {
+    CAPTURE(rows);
+    Sections sections;
+    sections.planes = {squares(0, rows), squares(1, rows)};
+    const auto r = reconstruct(sections);
+    REQUIRE(r.ok());
+    CHECK((r->report.interior_points > 0) == (rows == 4));
+    CHECK(check_surface(r->surface).good_topology());
+  }
+}
 
 TEST_CASE("a torus that R1 cuts open is whole with points inside its cells") {
   const Sections sections = cut(torus(1, 0.4, 96, 48), 16, 7);
