@@ -15,8 +15,8 @@ namespace crossloft {
 
 inline constexpr double kLargestSmoothWeight = 1e9;
 
-/// In which cells something is done that takes time. `automatic`: where planes meet. Between two planes that
-/// do not, as in a stack of slices, sections lie face to face and nothing was gained by it.
+/// In which cells something is done that takes time. `automatic`: where planes meet, so not between two
+/// planes of a stack, whose sections lie face to face.
 enum class InCells : std::uint8_t { off, automatic, all };
 
 /// Confidences are -1..1, the weight 0..kLargestSmoothWeight.
