@@ -179,7 +179,7 @@ Result<LatticeSection> combine(const LatticePlane& plane, std::vector<LatticeSec
         const auto [first, second] = std::minmax(k.walls[0].plane, s.walls[0].plane);
         return Error{ErrorCode::contradicting_planes,
                      "the section overlaps that of plane " + std::to_string(first) + " in the same plane",
-                     in.source, in.planes[second].line, second};
+                     in.source, plane_at(in, second)->line, second};
       }
       known = known || r == SectionRelation::same;
     }
@@ -317,7 +317,7 @@ Result<FramedSections> frame_sections(const Sections& in, double plane_tolerance
     out.warnings.push_back("no section has a contour");
     return out;
   }
-  out.grid = WorldGrid(normalised->low, normalised->high);
+  out.grid = WorldGrid(normalised->extent.low, normalised->extent.high);
   if (!out.grid.exact())
     out.notes.push_back(
         "the data are far from the origin for their size: coordinates are rounded when written");
@@ -337,7 +337,7 @@ Result<FramedSections> frame_sections(const Sections& in, double plane_tolerance
   if (std::all_of(out.planes.begin(), out.planes.end(),
                   [](const FramedPlane& p) { return p.walls.empty(); })) {
     out.planes.clear();  // there is no box around no vertex
-    out.warnings.push_back("no contour is wide enough to be told from a line");
+    if (!in.part_of) out.warnings.push_back("no contour is wide enough to be told from a line");
   }
   return out;
 }

@@ -18,7 +18,8 @@ constexpr double kNoWidth = 1e-12;
 /// Where an error is, in words of the file.
 Error error_at(ErrorCode code, std::string message, const Sections& in, std::uint32_t plane,
                std::uint32_t contour = kNone, std::uint32_t line = 0) {
-  return {code, std::move(message), in.source, line ? line : in.planes[plane].line, plane, contour};
+  return {code,    std::move(message),     in.source, line ? line : in.planes[plane].line,
+          position_of(in, plane), contour};
 }
 
 bool is_wall(const ContourEdge& e) { return (e.material_a == 0) != (e.material_b == 0); }
@@ -127,16 +128,15 @@ const WallEdge* open_end(const WallSection& s) {
   return nullptr;
 }
 
-void find_extent(NormalisedSections& out) {
-  bool first = true;
-  for (const WallSection& s : out.sections)
-    for (const Vec3& v : s.vertices) {
-      if (first) out.low = out.high = v;
-      first = false;
-      out.low = {std::min(out.low.x, v.x), std::min(out.low.y, v.y), std::min(out.low.z, v.z)};
-      out.high = {std::max(out.high.x, v.x), std::max(out.high.y, v.y), std::max(out.high.z, v.z)};
-    }
-  out.diagonal = safe_norm(out.high - out.low);
+Bounds extent_of(std::span<const WallSection> sections) {
+  Bounds extent;
+  for (const WallSection& s : sections) extent.join(bounds_of(s.vertices));
+  return extent;
+}
+
+void measure(const Sections& in, NormalisedSections& out) {
+  out.extent = in.part_of ? in.part_of->extent : extent_of(out.sections);
+  out.diagonal = out.extent.empty() ? 0 : safe_norm(out.extent.high - out.extent.low);
 }
 
 /// The wall at a vertex that comes first in the file. REQUIRES: there is one.
@@ -153,7 +153,7 @@ std::string three_digits(double x) {
 }
 
 /// The distances of the vertices from the plane; an error beyond the tolerance.
-Result<Done> check_distances(const Sections& in, WallSection& s, double tolerance) {
+Result<Done> check_distances(const Sections& in, std::uint32_t plane, WallSection& s, double tolerance) {
   const double length = norm(s.normal);
   for (std::uint32_t v = 0; v < s.vertices.size(); ++v) {
     const double distance = std::fabs(dot(s.normal, s.vertices[v]) + s.offset) / length;
@@ -163,7 +163,7 @@ Result<Done> check_distances(const Sections& in, WallSection& s, double toleranc
     return error_at(ErrorCode::off_plane,
                     "a vertex is " + three_digits(distance) + " off its plane; the plane tolerance is " +
                         three_digits(tolerance),
-                    in, s.source, w.contour, w.line);
+                    in, plane, w.contour, w.line);
   }
   return Done{};
 }
@@ -233,6 +233,25 @@ void warn_of_dropped(const std::vector<std::uint32_t>& before, const WallSection
                          ": dropped, it encloses no area");
 }
 
+/// The sections with what is left of their walls; the contours of each before pairs were cancelled.
+Result<std::vector<WallSection>> collect_all(const Sections& in,
+                                             std::vector<std::vector<std::uint32_t>>& contours,
+                                             const Context& context) {
+  std::vector<WallSection> sections(in.planes.size());
+  const auto done = for_all(in.planes.size(), context, "sections", [&](std::size_t k) -> Result<Done> {
+    const auto i = static_cast<std::uint32_t>(k);
+    WallSection& s = sections[i] = collect_walls(in.planes[i], position_of(in, i));
+    if (const WallEdge* w = open_end(s))
+      return error_at(ErrorCode::open_chain, "the contour is not closed", in, i, w->contour, w->line);
+    contours[i] = contours_of(s.walls);
+    cancel_pairs(s.walls);
+    drop_isolated(s);
+    return Done{};
+  });
+  if (!done) return done.error();
+  return sections;
+}
+
 void note_materials(const Sections& in, std::vector<std::string>& notes) {
   std::set<std::int32_t> materials;
   std::int32_t last = 0;
@@ -246,6 +265,20 @@ void note_materials(const Sections& in, std::vector<std::string>& notes) {
 }
 
 }  // namespace
+
+const PlaneSection* plane_at(const Sections& sections, std::uint32_t position) {
+  for (std::uint32_t i = 0; sections.part_of && i < sections.planes.size(); ++i)
+    if (sections.part_of->positions[i] == position) return &sections.planes[i];
+  return sections.part_of || position >= sections.planes.size() ? nullptr : &sections.planes[position];
+}
+
+Result<Bounds> extent_of_walls(const Sections& in) {
+  if (Result<Done> ok = check_numbers(in); !ok) return ok.error();
+  std::vector<std::vector<std::uint32_t>> contours(in.planes.size());
+  auto collected = collect_all(in, contours, {});
+  if (!collected) return collected.error();
+  return extent_of(*collected);
+}
 
 void cancel_pairs(std::vector<WallEdge>& walls) {
   const auto key = [](const WallEdge& w) { return std::tie(w.a, w.b, w.plane, w.contour, w.line); };
@@ -273,26 +306,18 @@ Result<NormalisedSections> normalise(const Sections& in, double plane_tolerance,
   if (in.planes.empty()) return Error{ErrorCode::no_plane, "there is no cutting plane", in.source};
   if (Result<Done> ok = check_numbers(in); !ok) return ok.error();
   NormalisedSections out;
-  note_materials(in, out.notes);
-  const std::size_t count = in.planes.size();
-  out.sections.resize(count);
-  std::vector<std::vector<std::uint32_t>> contours(count);
-  const auto collected = for_all(count, context, "sections", [&](std::size_t k) -> Result<Done> {
-    const auto i = static_cast<std::uint32_t>(k);
-    WallSection& s = out.sections[i] = collect_walls(in.planes[i], i);
-    if (const WallEdge* w = open_end(s))
-      return error_at(ErrorCode::open_chain, "the contour is not closed", in, i, w->contour, w->line);
-    contours[i] = contours_of(s.walls);
-    cancel_pairs(s.walls);
-    drop_isolated(s);
-    return Done{};
-  });
+  if (!in.part_of) note_materials(in, out.notes);  // the rest may have others
+  std::vector<std::vector<std::uint32_t>> contours(in.planes.size());
+  auto collected = collect_all(in, contours, context);
   if (!collected) return collected.error();
-  find_extent(out);
-  std::vector<std::vector<std::string>> warnings(count);
-  const auto checked = for_all(count, context, "sections", [&](std::size_t i) -> Result<Done> {
+  out.sections = std::move(collected).value();
+  measure(in, out);
+  std::vector<std::vector<std::string>> warnings(in.planes.size());
+  const auto checked = for_all(in.planes.size(), context, "sections", [&](std::size_t i) -> Result<Done> {
     WallSection& s = out.sections[i];
-    if (Result<Done> ok = check_distances(in, s, plane_tolerance * out.diagonal); !ok) return ok.error();
+    const auto plane = static_cast<std::uint32_t>(i);
+    if (Result<Done> ok = check_distances(in, plane, s, plane_tolerance * out.diagonal); !ok)
+      return ok.error();
     drop_flat_contours(s, kNoWidth * out.diagonal, out.diagonal);
     drop_isolated(s);
     warn_of_dropped(contours[i], s, warnings[i]);
@@ -300,7 +325,7 @@ Result<NormalisedSections> normalise(const Sections& in, double plane_tolerance,
   });
   if (!checked) return checked.error();
   for (const auto& list : warnings) out.warnings.insert(out.warnings.end(), list.begin(), list.end());
-  find_extent(out);
+  measure(in, out);  // without what has been dropped
   return out;
 }
 

@@ -24,8 +24,8 @@ struct WallSection {
 
 struct NormalisedSections {
   std::vector<WallSection> sections;  ///< one for each plane of the file, in file order
-  Vec3 low, high;                     ///< bounding box of all vertices; 0 without any
-  double diagonal = 0;                ///< of that box
+  Bounds extent;                 ///< of all vertices, also of those not in this part
+  double diagonal = 0;           ///< of that box
   std::vector<std::string> notes, warnings;
 };
 
@@ -33,6 +33,10 @@ struct NormalisedSections {
 /// O(v log v) for v vertices and edges; planes on several threads. Error cancelled.
 Result<NormalisedSections> normalise(const Sections& sections, double plane_tolerance,
                                      const Context& context = {});
+
+/// The bounding box of the ends of all walls, for PartOf. Errors: those of numbers and of
+/// open contours. O(v log v).
+Result<Bounds> extent_of_walls(const Sections& sections);
 
 /// The contours that have a wall, ascending.
 std::vector<std::uint32_t> contours_of(const std::vector<WallEdge>& walls);

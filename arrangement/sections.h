@@ -2,9 +2,11 @@
 /// The input of a reconstruction: cutting planes with the closed contours of their sections, in input units.
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "../geom/bounds.h"
 #include "../geom/ids.h"
 #include "../geom/vec3.h"
 
@@ -29,9 +31,24 @@ struct PlaneSection {
   std::uint32_t line = 0;                 ///< line of the file where the plane is given, 0 if none
 };
 
+/// What some sections are part of: they are framed as if the rest were there.
+struct PartOf {
+  std::vector<std::uint32_t> positions;   ///< by plane of the part: its position in the file
+  Bounds extent;                          ///< of all walls of the file, also of contours without area
+};
+
 struct Sections {
   std::string source;                     ///< file name for messages, may be empty
   std::vector<PlaneSection> planes;       ///< in file order
+  std::optional<PartOf> part_of;          ///< if these are not all planes of the file
 };
+
+/// Where the file has the plane.
+inline std::uint32_t position_of(const Sections& sections, std::uint32_t plane) {
+  return sections.part_of ? sections.part_of->positions[plane] : plane;
+}
+
+/// The plane that the file has there; null if it is not among these.
+const PlaneSection* plane_at(const Sections& sections, std::uint32_t position);
 
 }  // namespace crossloft

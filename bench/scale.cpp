@@ -1,9 +1,10 @@
 // Time and memory of a reconstruction as the input grows: a stack of slices with more and more contour
-// vertices, and a knot by more and more random planes. Each reconstruction runs in a process of its own,
-// whose peak of memory is the operating system's figure.
+// vertices, a stack of more and more slices that is streamed, and a knot by more and more random planes. Each
+// reconstruction runs in a process of its own, whose peak of memory is the operating system's figure.
 //
-//   bench_scale [--most-vertices N] [--most-planes N] [--markdown FILE] [--svg FILE]      default: 1000000,
-//   100
+//   bench_scale [--most-vertices N] [--most-streamed N] [--most-planes N] [--markdown FILE] [--svg FILE]
+//
+// default: 1000000 vertices, 10000000, 100 planes
 
 #include <sys/wait.h>
 #include <unistd.h>
@@ -20,6 +21,7 @@
 #include "../inspect/slice.h"
 #include "../inspect/solids.h"
 #include "../reconstruct/reconstruct.h"
+#include "../reconstruct/stack.h"
 #include "output.h"
 #include "scale.h"
 
@@ -40,20 +42,43 @@ void add_curve(PlaneSection& plane, double z, double radius, double depth, std::
   }
 }
 
-/// A twisted tube with five lobes: a wall and a channel in each of `slices` slices, `vertices` in all.
+/// A slice of a twisted tube with five lobes: a wall and a channel.
+PlaneSection tube_slice(double z, std::uint32_t vertices) {
+  PlaneSection plane;
+  plane.normal = {0, 0, 1};
+  plane.offset = -z;
+  add_curve(plane, z, 1, 0.2, vertices * 2 / 3, true);
+  add_curve(plane, z, 0.4, 0.1, vertices - vertices * 2 / 3, false);
+  return plane;
+}
+
+/// 3 high, `vertices` in all slices.
 Sections twisted_tube(std::uint32_t slices, std::uint32_t vertices) {
   Sections sections;
-  for (std::uint32_t k = 0; k < slices; ++k) {
-    const double z = 3.0 * k / slices;
-    PlaneSection& plane = sections.planes.emplace_back();
-    plane.normal = {0, 0, 1};
-    plane.offset = -z;
-    const std::uint32_t count = vertices / slices;
-    add_curve(plane, z, 1, 0.2, count * 2 / 3, true);
-    add_curve(plane, z, 0.4, 0.1, count - count * 2 / 3, false);
-  }
+  for (std::uint32_t k = 0; k < slices; ++k)
+    sections.planes.push_back(tube_slice(3.0 * k / slices, vertices / slices));
   return sections;
 }
+
+/// As many slices of 2000 vertices each as are asked for, made when they are read.
+class EndlessTube : public SectionSource {
+ public:
+  static constexpr std::uint32_t kVertices = 2000;
+
+  explicit EndlessTube(std::uint32_t slices) : slices_(slices) {}
+  std::string name() const override { return {}; }
+  std::uint32_t plane_count() const override { return slices_; }
+  Result<PlaneSection> read(std::uint32_t k) override { return tube_slice(3.0 * k / 500, kVertices); }
+
+ private:
+  std::uint32_t slices_;
+};
+
+struct Nowhere : SurfaceSink {
+  Result<Done> take(std::span<const Vec3>, std::span<const std::array<std::uint32_t, 3>>) override {
+    return Done{};
+  }
+};
 
 Sections knot(std::uint32_t planes) {
   const Surface mesh = trefoil_solid(128);
@@ -99,13 +124,37 @@ ScalePoint measure(const Sections& sections, unsigned threads) {
   return point;
 }
 
-/// Makes the input and reconstructs it in a child; no seconds if that failed.
-ScalePoint in_child(const std::function<Sections()>& make, unsigned threads) {
+ScalePoint measure_stream(std::uint32_t slices, unsigned threads) {
+  EndlessTube tube(slices);
+  Nowhere nowhere;
+  ScalePoint point;
+  point.threads = threads;
+  point.planes = slices;
+  point.vertices = std::uint64_t{slices} * EndlessTube::kVertices;
+  Context context;
+  context.threads = threads;
+  forget_peak();
+  const std::clock_t start = std::clock();
+  const auto report = reconstruct_stack(tube, nowhere, {}, context);
+  point.processor = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+  if (!report) return point;
+  point.megabytes = peak_megabytes();
+  point.seconds = report->seconds;
+  point.cells = report->cells.size();
+  for (const CellReport& cell : report->cells) point.tetrahedra += cell.tets_r0;
+  return point;
+}
+
+/// By threads.
+using Run = std::function<ScalePoint(unsigned)>;
+
+/// In a child; no seconds if that failed.
+ScalePoint in_child(const Run& run, unsigned threads) {
   int ends[2];
   if (pipe(ends) != 0) return {};
   const pid_t child = fork();
   if (child == 0) {
-    const ScalePoint point = measure(make(), threads);
+    const ScalePoint point = run(threads);
     const bool sent = write(ends[1], &point, sizeof point) == sizeof point;
     _exit(sent ? 0 : 1);
   }
@@ -119,36 +168,44 @@ ScalePoint in_child(const std::function<Sections()>& make, unsigned threads) {
   return got ? point : ScalePoint{};
 }
 
-ScaleSeries run(const std::string& name, const std::string& grows,
-                const std::vector<std::function<Sections()>>& inputs) {
+ScaleSeries run_all(const std::string& name, const std::string& grows, const std::vector<Run>& runs) {
   ScaleSeries series{name, grows, {}};
-  for (const auto& make : inputs)
+  for (const Run& run : runs)
     for (const unsigned threads : {1U, 2U})
-      if (const ScalePoint point = in_child(make, threads); point.seconds > 0) series.points.push_back(point);
+      if (const ScalePoint point = in_child(run, threads); point.seconds > 0) series.points.push_back(point);
   return series;
+}
+
+/// Makes the input in the process that reconstructs it.
+template <class Make>
+Run at_once(Make make) {
+  return [make](unsigned threads) { return measure(make(), threads); };
 }
 
 }  // namespace
 
 int main(int count, char** words) {
-  std::uint32_t most_vertices = 1'000'000, most_planes = 100;
+  std::uint32_t most_vertices = 1'000'000, most_streamed = 10'000'000, most_planes = 100;
   std::string markdown, svg;
   for (int i = 1; i + 1 < count; i += 2) {
     const std::string word = words[i];
-    if (word == "--most-vertices")
-      most_vertices = static_cast<std::uint32_t>(std::strtoul(words[i + 1], nullptr, 10));
-    if (word == "--most-planes")
-      most_planes = static_cast<std::uint32_t>(std::strtoul(words[i + 1], nullptr, 10));
+    const auto number = [&] { return static_cast<std::uint32_t>(std::strtoul(words[i + 1], nullptr, 10)); };
+    if (word == "--most-vertices") most_vertices = number();
+    if (word == "--most-streamed") most_streamed = number();
+    if (word == "--most-planes") most_planes = number();
     if (word == "--markdown") markdown = words[i + 1];
     if (word == "--svg") svg = words[i + 1];
   }
-  std::vector<std::function<Sections()>> stacks, knots;
+  std::vector<Run> stacks, streams, knots;
   for (std::uint32_t v = 1000; v <= most_vertices; v *= 10)
-    stacks.push_back([v] { return twisted_tube(std::clamp<std::uint32_t>(v / 2000, 20, 500), v); });
+    stacks.push_back(at_once([v] { return twisted_tube(std::clamp<std::uint32_t>(v / 2000, 20, 500), v); }));
+  for (std::uint32_t v = 100'000; v <= most_streamed; v *= 10)
+    streams.push_back([v](unsigned threads) { return measure_stream(v / EndlessTube::kVertices, threads); });
   for (const std::uint32_t k : {5U, 10U, 20U, 50U, 100U})
-    if (k <= most_planes) knots.push_back([k] { return knot(k); });
-  std::vector<ScaleSeries> all{run("a stack of slices", "vertices", stacks),
-                               run("a knot by random planes", "planes", knots)};
+    if (k <= most_planes) knots.push_back(at_once([k] { return knot(k); }));
+  std::vector<ScaleSeries> all{run_all("a stack of slices", "vertices", stacks),
+                               run_all("a stack that is streamed", "vertices", streams),
+                               run_all("a knot by random planes", "planes", knots)};
   std::erase_if(all, [](const ScaleSeries& s) { return s.points.empty(); });
   if (all.empty()) return 1;
   const std::string table = to_markdown(all);

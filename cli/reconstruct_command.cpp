@@ -18,6 +18,7 @@
 #include "repair_json.h"
 #include "repair_options.h"
 #include "report_json.h"
+#include "stream.h"
 #include "summary.h"
 #include "terminal.h"
 
@@ -30,7 +31,8 @@ struct Arguments {
   Options options;
   PictureOptions view;
   unsigned threads = 0;
-  bool quiet = false, repair = false;
+  bool quiet = false, repair = false, stream = false;
+  std::uint64_t window_vertices = StackOptions{}.window_vertices;
   RepairOptions repair_options;
 };
 
@@ -75,6 +77,10 @@ ExitCode run(Arguments arguments) {
                                                        arguments.sections, arguments.picture});
       !outputs)
     return terminal.fail(outputs.error());
+  if (arguments.stream)
+    return stream({arguments.input, arguments.surface, arguments.report, arguments.options,
+                   arguments.window_vertices},
+                  terminal, context);
   const bool draw = !arguments.drawings.empty();
   if (draw)
     if (auto folder = check_folder(arguments.drawings); !folder) return terminal.fail(folder.error());
@@ -223,6 +229,22 @@ void add_tolerances(CLI::App& command, Arguments& a) {
   add_repair_limit(command, "--repair-limit", a.repair_options);
 }
 
+/// After all options that want the whole at once.
+void add_stream(CLI::App& command, Arguments& a) {
+  CLI::Option* stream = command.add_flag(
+      "--stream", a.stream,
+      "for a stack of parallel planes: read and reconstruct a few slices at a time, so that memory does not "
+      "grow with the stack");
+  for (const char* whole : {"--solid", "--picture", "--dump-sections", "--dump-branching", "--repair"})
+    stream->excludes(command.get_option(whole));
+  command
+      .add_option("--window", a.window_vertices,
+                  "with --stream: contour vertices that are worked on together, but for overlaps")
+      ->capture_default_str()
+      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 40))
+      ->needs(stream);
+}
+
 }  // namespace
 
 void add_reconstruct(CLI::App& program, ExitCode& outcome) {
@@ -256,6 +278,7 @@ void add_reconstruct(CLI::App& program, ExitCode& outcome) {
       ->add_option("--dump-branching", a.drawings,
                    "also a drawing of each branching diagram into this folder: section, arcs, samples")
       ->check([](const std::string& folder) { return folder.empty() ? "names no folder" : std::string(); });
+  add_stream(*command, a);
   command->add_option("--threads", a.threads, "worker threads, 0: one per core; the result is the same")
       ->capture_default_str()
       ->check(CLI::Range(0, 1024));

@@ -19,8 +19,14 @@ Json to_json(const StageSeconds& s) {
 }
 
 Json to_json(const PlaneReport& p) {
-  return {{"plane", p.plane},        {"vertices", p.vertices},   {"edges", p.edges},
-          {"area", p.area},          {"flat_area", p.flat_area}, {"displacement", p.displacement},
+  return {{"plane", p.plane},
+          {"vertices", p.vertices},
+          {"edges", p.edges},
+          {"area", p.area},
+          {"flat_area", p.flat_area},
+          {"flat_regions", p.flat_regions},
+          {"thickened_regions", p.thickened_regions},
+          {"displacement", p.displacement},
           {"off_plane", p.off_plane}};
 }
 
@@ -159,15 +165,24 @@ Json result_part(const Report& r) {
           {"bad_links", r.bad_links}};
 }
 
-}  // namespace
-
-std::string report_json(const Report& report, const ReportOrigin& origin, const RepairOrigin* repair) {
+Json head(const ReportOrigin& origin) {
   Json json;
   json["report_version"] = kReportVersion;
   json["program"] = "crossloft " CROSSLOFT_VERSION;
   json["file"] = origin.input;
-  json["mode"] = report.mode;
+  json["mode"] = name_of(origin.options.mode);
   json["options"] = to_json(origin.options);
+  return json;
+}
+
+std::string text_of(const Json& json) {
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace
+
+std::string report_json(const Report& report, const ReportOrigin& origin, const RepairOrigin* repair) {
+  Json json = head(origin);
   json["seconds"] = to_json(report.seconds);
   json["input"] = input_part(report);
   json["lines"] = lines_part(report);
@@ -179,7 +194,36 @@ std::string report_json(const Report& report, const ReportOrigin& origin, const 
   if (repair) json["repair"] = repair_part(repair->repair, repair->options);
   json["notes"] = report.notes;
   json["warnings"] = report.warnings;
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return text_of(json);
+}
+
+std::string report_json(const StackReport& r, const ReportOrigin& origin) {
+  Json topology = to_json(r.topology);
+  topology.erase("bridges");
+  topology.erase("open_edges");
+  Json json = head(origin);
+  json["seconds"] = {{"total", r.seconds}};
+  json["stream"] = {{"windows", r.windows}};
+  json["input"] = {{"diagonal", r.diagonal},
+                   {"section_area", r.section_area},
+                   {"displacement", r.displacement},
+                   {"off_plane", r.off_plane},
+                   {"planes", to_json(r.planes)}};
+  json["topology"] = topology;
+  json["result"] = {{"tetrahedra", r.solid_tets},
+                    {"triangles", r.surface_triangles},
+                    {"vertices", r.surface_vertices},
+                    {"bodies", r.bodies},
+                    {"cavities", r.cavities},
+                    {"genus", r.genus},
+                    {"volume", r.volume},
+                    {"flat_area", r.flat_area},
+                    {"flat_regions", r.flat_regions},
+                    {"thickened_regions", r.thickened_regions}};
+  json["cells"] = to_json(r.cells);
+  json["notes"] = r.notes;
+  json["warnings"] = r.warnings;
+  return text_of(json);
 }
 
 }  // namespace crossloft::cli

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "../reconstruct/reconstruct.h"
+#include "../reconstruct/stack.h"
 #include "../repair/repair.h"
 
 namespace crossloft::cli {
@@ -25,5 +26,8 @@ struct RepairOrigin {
 /// Indented, with a line break at the end. Numbers that are not finite become null.
 std::string report_json(const Report& report, const ReportOrigin& origin,
                         const RepairOrigin* repair = nullptr);
+
+/// The report of a stack that was streamed: the keys that can be told piece by piece, and a part `stream`.
+std::string report_json(const StackReport& report, const ReportOrigin& origin);
 
 }  // namespace crossloft::cli

@@ -50,4 +50,21 @@ void print_summary(Terminal& terminal, const Report& report) {
   terminal.print("seconds      %.3g\n", report.seconds.total);
 }
 
+void print_summary(Terminal& terminal, const StackReport& report) {
+  for (const std::string& note : report.notes) terminal.say(LogLevel::note, note);
+  for (const std::string& warning : report.warnings) terminal.say(LogLevel::warning, warning);
+  const auto number = [](std::uint64_t n) { return static_cast<unsigned long long>(n); };
+  terminal.print("planes       %zu, in %u windows\n", report.planes.size(), report.windows);
+  terminal.print("solid        %llu tetrahedra, volume %.6g\n", number(report.solid_tets), report.volume);
+  terminal.print("surface      %llu triangles, %llu vertices; %llu bodies, %llu cavities, genus %llu\n",
+                 number(report.surface_triangles), number(report.surface_vertices), number(report.bodies),
+                 number(report.cavities), number(report.genus));
+  print_topology(terminal, report.topology);
+  terminal.print("flat         %u regions, area %.6g of %.6g\n", report.flat_regions, report.flat_area,
+                 report.section_area);
+  if (report.thickened_regions != 0)
+    terminal.print("thickened    %u flat regions\n", report.thickened_regions);
+  terminal.print("seconds      %.3g\n", report.seconds);
+}
+
 }  // namespace crossloft::cli

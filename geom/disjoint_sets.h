@@ -17,6 +17,12 @@ class DisjointSets {
     std::iota(parent_.begin(), parent_.end(), 0U);
   }
 
+  /// One more element, a set of its own; its number.
+  std::uint32_t add() {
+    parent_.push_back(static_cast<std::uint32_t>(parent_.size()));
+    return parent_.back();
+  }
+
   /// Amortised O(log n).
   std::uint32_t find(std::uint32_t x) {
     while (parent_[x] != x) x = parent_[x] = parent_[parent_[x]];

@@ -43,7 +43,7 @@ std::FILE* create_beside(const std::string& target, std::string& name) {
     name =
         (path.parent_path() / ("." + path.filename().string() + "." + std::to_string(i) + ".tmp")).string();
     errno = 0;
-    std::FILE* file = std::fopen(name.c_str(), "wbx");
+    std::FILE* file = std::fopen(name.c_str(), "w+bx");
     if (file != nullptr || errno != EEXIST) return file;
   }
   return nullptr;
@@ -124,6 +124,29 @@ void AtomicFile::append(std::string_view bytes) {
   if (failed() || bytes.empty()) return;
   errno = 0;
   if (std::fwrite(bytes.data(), 1, bytes.size(), file_) != bytes.size()) error_ = errno != 0 ? errno : EIO;
+}
+
+void AtomicFile::overwrite(std::string_view bytes) {
+  if (failed()) return;
+  errno = 0;
+  const bool done = std::fseek(file_, 0, SEEK_SET) == 0 &&
+                    std::fwrite(bytes.data(), 1, bytes.size(), file_) == bytes.size() &&
+                    std::fseek(file_, 0, SEEK_END) == 0;
+  if (!done) error_ = errno != 0 ? errno : EIO;
+}
+
+Result<Done> AtomicFile::move_to(AtomicFile& other, const std::function<bool()>& is_cancelled) {
+  errno = 0;
+  if (!failed() && std::fseek(file_, 0, SEEK_SET) != 0) error_ = errno != 0 ? errno : EIO;
+  char buffer[kPieceBytes];
+  for (std::size_t n = 0; !failed() && (n = std::fread(buffer, 1, sizeof buffer, file_)) != 0;) {
+    if (is_cancelled()) return Error{ErrorCode::cancelled, "writing was cancelled", path_, 0, kNone, kNone};
+    other.append({buffer, n});
+  }
+  if (!failed() && std::ferror(file_) != 0) error_ = errno != 0 ? errno : EIO;
+  if (failed()) return not_writable(path_, reason(error_));
+  discard();
+  return Done{};
 }
 
 Result<Done> AtomicFile::commit() {

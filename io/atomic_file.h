@@ -37,6 +37,13 @@ class AtomicFile {
   /// Adds bytes at the end. A failed write is remembered and reported by commit().
   void append(std::string_view bytes);
   bool failed() const { return error_ != 0; }
+  /// The target is no regular file, and is being written in its place.
+  bool is_direct() const { return temporary_.empty(); }
+  /// Replaces the first bytes of the file. REQUIRES: not is_direct(), and no more bytes than it has.
+  void overwrite(std::string_view bytes);
+  /// Appends all its bytes to another file, piece by piece. REQUIRES: not is_direct(). Errors:
+  /// file_not_writable, cancelled, as soon as `is_cancelled` says so.
+  Result<Done> move_to(AtomicFile& other, const std::function<bool()>& is_cancelled);
   /// The target, as the user named it.
   const std::string& path() const { return path_; }
 

@@ -63,6 +63,12 @@ class ByteWriter {
     return append_little_endian(buffer_, value), spill();
   }
 
+  /// append(buffer) adds to what is written.
+  template <class Append>
+  ByteWriter& from(Append&& append) {
+    return append(buffer_), spill();
+  }
+
   /// True when nothing more needs to be written, since finish() will fail.
   bool hopeless() const { return cancelled_ || file_.failed(); }
 

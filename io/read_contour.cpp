@@ -4,10 +4,8 @@
 #include <vector>
 
 #include "../geom/disjoint_sets.h"
-#include "../geom/failing.h"
-#include "read_sections.h"
 #include "section_conventions.h"
-#include "token_reader.h"
+#include "section_grammar.h"
 
 namespace crossloft {
 namespace {
@@ -60,8 +58,9 @@ void number_contours(PlaneSection& plane) {
   }
 }
 
-PlaneSection read_plane(TokenReader& in) {
-  PlaneSection plane;
+ParsedPlane read_plane(TokenReader& in, std::uint32_t) {
+  ParsedPlane parsed;
+  PlaneSection& plane = parsed.section;
   read_plane_equation(in, plane);
   plane.line = in.line();
   const std::uint32_t vertices = in.count("the number of vertices");
@@ -72,30 +71,20 @@ PlaneSection read_plane(TokenReader& in) {
     join_ends(plane);
     number_contours(plane);
   }
-  return plane;
+  return parsed;
+}
+
+std::uint32_t read_header(TokenReader& in) {
+  const std::uint32_t planes = in.count("the number of planes");
+  if (planes == 0) in.fail(ErrorCode::no_plane, "the file has no cutting plane");
+  return planes;
 }
 
 }  // namespace
 
-Result<Sections> parse_contour(std::string_view text, std::string name, const Context& context) {
-  return or_out_of_memory([&]() -> Result<Sections> {
-    Sections sections;
-    sections.source = name;
-    TokenReader in(text, std::move(name));
-    const std::uint32_t planes = in.count("the number of planes");
-    if (planes == 0) in.fail(ErrorCode::no_plane, "the file has no cutting plane");
-    for (std::uint32_t p = 0; p < planes && in.ok(); ++p) {
-      if (context.cancelled()) in.fail(ErrorCode::cancelled, "reading was cancelled");
-      in.enter(p);
-      sections.planes.push_back(read_plane(in));
-    }
-    in.enter(kNone);
-    in.expect_end();
-    if (!in.ok()) return in.error();
-    settle_sign_of_offset(sections, context);
-    note_materials(sections, context);
-    return sections;
-  });
+const SectionGrammar& contour_grammar() {
+  static constexpr SectionGrammar kGrammar{read_header, read_plane};
+  return kGrammar;
 }
 
 }  // namespace crossloft

@@ -2,10 +2,8 @@
 #include <utility>
 #include <vector>
 
-#include "../geom/failing.h"
-#include "read_sections.h"
 #include "section_conventions.h"
-#include "token_reader.h"
+#include "section_grammar.h"
 
 namespace crossloft {
 namespace {
@@ -34,58 +32,31 @@ void add_edges(const Component& component, std::uint32_t contour, std::int32_t m
   }
 }
 
-class CslReader {
+/// One plane on its way.
+class CslPlane {
  public:
-  CslReader(std::string_view text, std::string name, const Context& context)
-      : in_(text, name), context_(context) {
-    sections_.source = std::move(name);
-  }
+  CslPlane(TokenReader& in, std::uint32_t position) : in_(in), position_(position) {}
 
-  Result<Sections> read() {
-    read_header();
-    for (std::uint32_t p = 0; p < planes_ && in_.ok(); ++p) {
-      if (context_.cancelled()) in_.fail(ErrorCode::cancelled, "reading was cancelled");
-      read_plane(p);
-    }
-    in_.enter(kNone);
-    in_.expect_end();
-    if (!in_.ok()) return in_.error();
-    if (has_outside_label_)
-      context_.warn("components with a label below 1, which names the outside, are taken as 1");
-    settle_sign_of_offset(sections_, context_);
-    note_materials(sections_, context_);
-    return std::move(sections_);
-  }
-
- private:
-  void read_header() {
-    const std::string_view keyword = in_.token("the word CSLC");
-    if (keyword != "CSLC")
-      in_.fail(ErrorCode::syntax, "the file begins with " + quoted(keyword) + ", not CSLC");
-    planes_ = in_.count("the number of planes");
-    if (planes_ == 0) in_.fail(ErrorCode::no_plane, "the file has no cutting plane");
-    in_.integer("the number of labels");  // wrong in many files, and not needed
-  }
-
-  void read_plane(std::uint32_t p) {
-    in_.enter(p);
-    PlaneSection plane;
+  ParsedPlane read() {
     in_.integer("the number of a plane");
+    PlaneSection& plane = parsed_.section;
     plane.line = in_.line();
     const std::uint32_t vertices = in_.count("the number of vertices");
     const std::uint32_t components = in_.count("the number of components");
     read_plane_equation(in_, plane);
     read_vertices(in_, vertices, plane);
-    read_components(p, components, plane);
-    sections_.planes.push_back(std::move(plane));
+    read_components(components);
+    return std::move(parsed_);
   }
 
-  void read_components(std::uint32_t p, std::uint32_t count, PlaneSection& plane) {
+ private:
+  void read_components(std::uint32_t count) {
     constexpr std::size_t kLeastBytes = 4;  // "0 1 "
+    PlaneSection& plane = parsed_.section;
     std::vector<Component> components;
     components.reserve(in_.room_for(count, kLeastBytes));
     for (std::uint32_t c = 0; c < count && in_.ok(); ++c) {
-      in_.enter(p, c);
+      in_.enter(position_, c);
       components.push_back(read_component(static_cast<std::uint32_t>(plane.vertices.size()), count));
     }
     // Holes may come before their parents, so materials are known only here.
@@ -103,7 +74,7 @@ class CslReader {
     for (std::uint32_t i = 0; i < size && in_.ok(); ++i) {
       component.vertices.push_back(in_.index("a vertex of a component", vertices));
     }
-    has_outside_label_ = has_outside_label_ || (component.label < 1 && component.parent == kNone);
+    if (component.label < 1 && component.parent == kNone) parsed_.has_outside_label = true;
     return component;
   }
 
@@ -126,18 +97,28 @@ class CslReader {
     return std::max(components[owner].label, 1);
   }
 
-  TokenReader in_;
-  const Context& context_;
-  Sections sections_;
-  std::uint32_t planes_ = 0;
-  bool has_outside_label_ = false;
+  TokenReader& in_;
+  std::uint32_t position_;
+  ParsedPlane parsed_;
 };
+
+std::uint32_t read_header(TokenReader& in) {
+  const std::string_view keyword = in.token("the word CSLC");
+  if (keyword != "CSLC")
+    in.fail(ErrorCode::syntax, "the file begins with " + quoted(keyword) + ", not CSLC");
+  const std::uint32_t planes = in.count("the number of planes");
+  if (planes == 0) in.fail(ErrorCode::no_plane, "the file has no cutting plane");
+  in.integer("the number of labels");  // wrong in many files, and not needed
+  return planes;
+}
+
+ParsedPlane read_plane(TokenReader& in, std::uint32_t position) { return CslPlane(in, position).read(); }
 
 }  // namespace
 
-Result<Sections> parse_csl(std::string_view text, std::string name, const Context& context) {
-  return or_out_of_memory(
-      [&]() -> Result<Sections> { return CslReader(text, std::move(name), context).read(); });
+const SectionGrammar& csl_grammar() {
+  static constexpr SectionGrammar kGrammar{read_header, read_plane};
+  return kGrammar;
 }
 
 }  // namespace crossloft

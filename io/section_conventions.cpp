@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 #include <string>
 
 namespace crossloft {
@@ -20,12 +19,6 @@ double residual(const PlaneSection& plane, double sign) {
   return sum / norm(unit);
 }
 
-double residual(const Sections& sections, double sign) {
-  double sum = 0;
-  for (const PlaneSection& plane : sections.planes) sum += residual(plane, sign);
-  return sum;
-}
-
 }  // namespace
 
 void read_plane_equation(TokenReader& in, PlaneSection& plane) {
@@ -41,21 +34,26 @@ void read_vertices(TokenReader& in, std::uint32_t count, PlaneSection& plane) {
     plane.vertices.push_back(in.point("a vertex coordinate"));
 }
 
-void settle_sign_of_offset(Sections& sections, const Context& context) {
-  const bool negated = residual(sections, -1) < residual(sections, 1);
-  if (!negated) return;
-  for (PlaneSection& plane : sections.planes) plane.offset = -plane.offset;
-  context.note("the planes of the file are n.x = D, not n.x + D = 0: the sign of D was changed");
+void SectionConventions::observe(const ParsedPlane& plane) {
+  residual_ += residual(plane.section, 1);
+  residual_negated_ += residual(plane.section, -1);
+  has_outside_label_ = has_outside_label_ || plane.has_outside_label;
+  for (const ContourEdge& edge : plane.section.edges)
+    for (const std::int32_t material : {edge.material_a, edge.material_b})
+      if (material != 0) materials_.insert(material);
 }
 
-void note_materials(const Sections& sections, const Context& context) {
-  std::set<std::int32_t> materials;
-  for (const PlaneSection& plane : sections.planes) {
-    for (const ContourEdge& edge : plane.edges) materials.insert({edge.material_a, edge.material_b});
-  }
-  materials.erase(0);
-  if (materials.size() < 2) return;
-  context.note("the file has " + std::to_string(materials.size()) + " materials: inside is any of them");
+void SectionConventions::tell(const Context& context) const {
+  if (has_outside_label_)
+    context.warn("components with a label below 1, which names the outside, are taken as 1");
+  if (is_negated())
+    context.note("the planes of the file are n.x = D, not n.x + D = 0: the sign of D was changed");
+  if (materials_.size() > 1)
+    context.note("the file has " + std::to_string(materials_.size()) + " materials: inside is any of them");
+}
+
+void SectionConventions::apply(PlaneSection& plane) const {
+  if (is_negated()) plane.offset = -plane.offset;
 }
 
 }  // namespace crossloft

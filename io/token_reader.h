@@ -20,6 +20,8 @@ class TokenReader {
   /// `comment` starts a comment that goes to the end of the line; 0 means the format has none. The text must
   /// outlive the reader. A UTF-8 byte order mark is skipped.
   TokenReader(std::string_view text, std::string file, char comment = '\0');
+  /// For a text from the middle of a file: the line of its first character.
+  void begin_at(std::uint32_t line) { line_ = token_line_ = line; }
 
   bool ok() const { return ok_; }
   const Error& error() const { return error_; }

@@ -8,39 +8,13 @@
 #include "../geom/failing.h"
 #include "byte_writer.h"
 #include "file_extension.h"
+#include "surface_format.h"
 #include "write_mesh.h"
 
 namespace crossloft {
 namespace {
 
 using Triangle = std::array<std::uint32_t, 3>;
-
-void write_ply(ByteWriter& out, const Surface& surface) {
-  out.text("ply\nformat binary_little_endian 1.0\ncomment Crossloft\nelement vertex ");
-  out.decimal(surface.points.size())
-      .text("\nproperty double x\nproperty double y\nproperty double z\nelement face ");
-  out.decimal(surface.triangles.size()).text("\nproperty list uchar int vertex_indices\nend_header\n");
-  for (const Vec3& p : surface.points) out.little_endian(p.x).little_endian(p.y).little_endian(p.z);
-  for (const Triangle& t : surface.triangles) {
-    out.little_endian(std::uint8_t{3}).little_endian(t[0]).little_endian(t[1]).little_endian(t[2]);
-  }
-}
-
-void write_obj(ByteWriter& out, const Surface& surface) {
-  out.text("# Crossloft\n");
-  for (const Vec3& p : surface.points) out.text("v ").decimal(p).text("\n");
-  for (const Triangle& t : surface.triangles) {
-    out.text("f ").decimal(t[0] + 1).text(" ").decimal(t[1] + 1).text(" ").decimal(t[2] + 1).text("\n");
-  }
-}
-
-void write_off(ByteWriter& out, const Surface& surface) {
-  out.text("OFF\n").decimal(surface.points.size()).text(" ").decimal(surface.triangles.size()).text(" 0\n");
-  for (const Vec3& p : surface.points) out.decimal(p).text("\n");
-  for (const Triangle& t : surface.triangles) {
-    out.text("3 ").decimal(t[0]).text(" ").decimal(t[1]).text(" ").decimal(t[2]).text("\n");
-  }
-}
 
 /// Unit normal, zero for a triangle without area. The edges are scaled so that their product can't overflow.
 Vec3 unit_normal(const Vec3& a, const Vec3& b, const Vec3& c) {
@@ -72,13 +46,10 @@ void write_stl(ByteWriter& out, const Surface& surface) {
   }
 }
 
-using Writer = void (*)(ByteWriter&, const Surface&);
-
-Writer writer_for(const std::string& extension) {
-  if (extension == "ply") return write_ply;
-  if (extension == "obj") return write_obj;
-  if (extension == "off") return write_off;
-  return extension == "stl" ? write_stl : nullptr;
+void write_numbered(ByteWriter& out, const SurfaceFormat& format, const Surface& surface) {
+  out.text(format.header(surface.points.size(), surface.triangles.size(), 0));
+  for (const Vec3& p : surface.points) out.from([&](std::string& bytes) { format.vertex(bytes, p); });
+  for (const Triangle& t : surface.triangles) out.from([&](std::string& bytes) { format.triangle(bytes, t); });
 }
 
 /// All four formats are read by programs that number with 32 bit signed integers.
@@ -101,17 +72,21 @@ Result<Done> check(const std::string& path, const Surface& surface) {
 Result<Done> write_surface(const std::string& path, const Surface& surface, const Context& context) {
   return or_out_of_memory([&]() -> Result<Done> {
     const std::string extension = file_extension(path);
-    const Writer write = writer_for(extension);
-    if (write == nullptr) return unknown_extension(path, ".ply, .obj, .off and .stl");
+    const SurfaceFormat* format = surface_format(extension);
+    const bool is_stl = extension == "stl";
+    if (format == nullptr && !is_stl) return unknown_extension(path, ".ply, .obj, .off and .stl");
     if (Result<Done> good = check(path, surface); !good.ok()) return good;
-    if (extension == "stl") {
+    if (is_stl) {
       context.warn(
           "STL rounds to 32 bits and its readers join equal points: the file can't carry the guarantees");
     }
     Result<AtomicFile> file = AtomicFile::create(path);
     if (!file.ok()) return file.error();
     ByteWriter out(std::move(*file), context);
-    write(out, surface);
+    if (is_stl)
+      write_stl(out, surface);
+    else
+      write_numbered(out, *format, surface);
     return out.finish();
   });
 }

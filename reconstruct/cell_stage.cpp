@@ -15,20 +15,6 @@
 namespace crossloft {
 namespace {
 
-void add_up(const CellReport& cell, TopologyReport& sum) {
-  sum.handles += cell.topology.genus;
-  sum.handles_before += cell.genus_before;
-  sum.grown_cells += cell.grown ? 1U : 0U;
-  sum.walls += std::max(cell.topology.outsides, 1U) - 1;
-  sum.voids += cell.topology.voids;
-  sum.bodies_joined += cell.joined_alone;
-  sum.walls_opened += cell.opened;
-  for (const JoinReport& join : cell.joins) {
-    ++(join.done ? sum.joins : sum.refused_joins);
-    if (join.done) sum.weakest_join = std::min(sum.weakest_join, join.confidence);
-  }
-}
-
 std::vector<GroundTriangle> ground_under(const BuiltCell& cell, const std::vector<std::uint8_t>& kept) {
   std::vector<GroundTriangle> list;
   auto next = cell.ground.begin();
@@ -82,6 +68,20 @@ void take_kept(const BuiltCell& cell, const std::vector<std::uint8_t>& kept, Cel
 }
 
 }  // namespace
+
+void add_up(const CellReport& cell, TopologyReport& sum) {
+  sum.handles += cell.topology.genus;
+  sum.handles_before += cell.genus_before;
+  sum.grown_cells += cell.grown ? 1U : 0U;
+  sum.walls += std::max(cell.topology.outsides, 1U) - 1;
+  sum.voids += cell.topology.voids;
+  sum.bodies_joined += cell.joined_alone;
+  sum.walls_opened += cell.opened;
+  for (const JoinReport& join : cell.joins) {
+    ++(join.done ? sum.joins : sum.refused_joins);
+    if (join.done) sum.weakest_join = std::min(sum.weakest_join, join.confidence);
+  }
+}
 
 std::vector<FaceId> Pipeline::inner_faces(CellId id) const {
   std::vector<FaceId> ids;
@@ -382,6 +382,7 @@ void Pipeline::take_tets() {
 void Pipeline::finish_cells() {
   Report& report = result_.report;
   take_tets();
+  if (window_) note_slabs();
   for (std::uint32_t c = 0; c < cells_.size(); ++c) {
     CellState& cell = cells_[c];
     if (cell.report.tets_r0 == 0) continue;

@@ -1,7 +1,8 @@
 #include "flats.h"
 
 #include <algorithm>
-#include <numeric>
+
+#include "../geom/disjoint_sets.h"
 
 namespace crossloft {
 namespace {
@@ -12,24 +13,18 @@ struct FlatEdge {
   bool same_edge(const FlatEdge& o) const { return a == o.a && b == o.b && plane == o.plane; }
 };
 
-std::uint32_t connected_by(std::vector<FlatEdge> edges, std::uint32_t triangles) {
+/// One region less of a plane for each two that an edge connects.
+void connect(std::vector<FlatEdge> edges, std::uint32_t triangles, std::vector<std::uint32_t>& regions) {
   std::sort(edges.begin(), edges.end(), [](const FlatEdge& x, const FlatEdge& y) {
     return std::tie(x.plane, x.a, x.b, x.triangle) < std::tie(y.plane, y.a, y.b, y.triangle);
   });
-  std::vector<std::uint32_t> parent(triangles);
-  std::iota(parent.begin(), parent.end(), 0u);
-  const auto root = [&](std::uint32_t t) {
-    while (parent[t] != t) t = parent[t] = parent[parent[t]];
-    return t;
-  };
-  std::uint32_t regions = triangles;
+  DisjointSets sets(triangles);
   for (std::size_t i = 1; i < edges.size(); ++i) {
     if (!edges[i].same_edge(edges[i - 1])) continue;
-    const std::uint32_t s = root(edges[i].triangle), t = root(edges[i - 1].triangle);
-    if (s != t) --regions;
-    parent[s] = t;
+    if (sets.find(edges[i].triangle) == sets.find(edges[i - 1].triangle)) continue;
+    sets.join(edges[i].triangle, edges[i - 1].triangle);
+    --regions[edges[i].plane];
   }
-  return regions;
 }
 
 std::array<std::uint32_t, 3> numbers_of(const FaceTriangulation& face,
@@ -40,8 +35,9 @@ std::array<std::uint32_t, 3> numbers_of(const FaceTriangulation& face,
 
 }  // namespace
 
-std::uint32_t count_regions(std::span<const FaceTriangulation> faces, const Numbering& numbering,
-                            const TriangleFilter& counts) {
+std::vector<std::uint32_t> count_regions(std::span<const FaceTriangulation> faces, const Numbering& numbering,
+                                         std::size_t plane_count, const TriangleFilter& counts) {
+  std::vector<std::uint32_t> regions(plane_count, 0);
   std::vector<FlatEdge> edges;
   std::uint32_t triangles = 0;
   for (std::size_t f = 0; f < faces.size(); ++f)
@@ -53,14 +49,15 @@ std::uint32_t count_regions(std::span<const FaceTriangulation> faces, const Numb
         edges.push_back({a, b, faces[f].plane, triangles});
       }
       ++triangles;
+      ++regions[faces[f].plane];
     }
-  return connected_by(std::move(edges), triangles);
+  connect(std::move(edges), triangles, regions);
+  return regions;
 }
 
-Flats measure_flats(std::span<const FaceTriangulation> faces, const Numbering& numbering,
-                    const WorldGrid& grid, std::size_t plane_count) {
-  Flats flats;
-  flats.planes.resize(plane_count);
+std::vector<PlaneAreas> measure_flats(std::span<const FaceTriangulation> faces, const Numbering& numbering,
+                                      const WorldGrid& grid, std::size_t plane_count) {
+  std::vector<PlaneAreas> planes(plane_count);
   for (std::size_t f = 0; f < faces.size(); ++f) {
     const FaceTriangulation& face = faces[f];
     for (std::size_t t = 0; t < face.triangles.size(); ++t) {
@@ -70,13 +67,11 @@ Flats measure_flats(std::span<const FaceTriangulation> faces, const Numbering& n
       const double area = norm(cross(grid.from_lattice(numbering.points[v[1]]) - p,
                                      grid.from_lattice(numbering.points[v[2]]) - p)) /
                           2;
-      flats.planes[face.plane].section += area;
-      if (face.is_flat(t)) flats.planes[face.plane].flat += area;
+      planes[face.plane].section += area;
+      if (face.is_flat(t)) planes[face.plane].flat += area;
     }
   }
-  flats.regions =
-      count_regions(faces, numbering, [&](std::size_t f, std::size_t t) { return faces[f].is_flat(t); });
-  return flats;
+  return planes;
 }
 
 }  // namespace crossloft

@@ -16,20 +16,15 @@ struct PlaneAreas {
   double section = 0, flat = 0;  ///< input units squared
 };
 
-struct Flats {
-  std::vector<PlaneAreas> planes;  ///< by plane of the section graph
-  std::uint32_t regions = 0;       ///< edge-connected flat regions, each within one plane
-};
-
 /// True for a section triangle of a face that counts.
 using TriangleFilter = std::function<bool(std::size_t face, std::size_t triangle)>;
 
-/// Edge-connected regions of the section triangles that count, each within one plane.
-std::uint32_t count_regions(std::span<const FaceTriangulation> faces, const Numbering& numbering,
-                            const TriangleFilter& counts);
+/// By plane of the section graph: edge-connected regions of its section triangles that count.
+std::vector<std::uint32_t> count_regions(std::span<const FaceTriangulation> faces, const Numbering& numbering,
+                                         std::size_t plane_count, const TriangleFilter& counts);
 
-/// REQUIRES: the faces' `covered` filled by all cells.
-Flats measure_flats(std::span<const FaceTriangulation> faces, const Numbering& numbering,
-                    const WorldGrid& grid, std::size_t plane_count);
+/// By plane of the section graph. REQUIRES: the faces' `covered` filled by all cells.
+std::vector<PlaneAreas> measure_flats(std::span<const FaceTriangulation> faces, const Numbering& numbering,
+                                      const WorldGrid& grid, std::size_t plane_count);
 
 }  // namespace crossloft

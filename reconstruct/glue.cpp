@@ -270,8 +270,11 @@ void for_shared(const std::vector<Side>& sides, Visit visit) {
 /// Cuts the boundary apart; see the header for the rules.
 class Cutter {
  public:
-  Cutter(const std::vector<Triple>& triangles, const std::vector<std::uint32_t>& mate)
-      : triangles_(triangles), mate_(mate), copy_(mate.size(), kNone) {}
+  Cutter(const PairedBoundary& boundary, bool with_tets)
+      : triangles_(boundary.triangles),
+        mate_(boundary.mate),
+        facets_(with_tets ? &boundary.facets : nullptr),
+        copy_(mate_.size(), kNone) {}
 
   GluedSurface run() {
     make_copies();
@@ -282,6 +285,7 @@ class Cutter {
         emit(copy_[3 * t], copy_[3 * t + 1], copy_[3 * t + 2]);
       else
         emit(t);
+      if (facets_) surface_.tets.resize(surface_.triangles.size(), (*facets_)[t] / 4);
     }
     return std::move(surface_);
   }
@@ -417,6 +421,7 @@ class Cutter {
 
   const std::vector<Triple>& triangles_;
   const std::vector<std::uint32_t>& mate_;
+  const std::vector<std::uint32_t>* facets_;  ///< null if nobody wants to know
   std::vector<Side> pinched_;            ///< at edges with several: one of each pair
   std::vector<std::uint32_t> copy_;      ///< by corner: its vertex of the surface
   std::vector<std::uint32_t> midpoint_;  ///< by side; empty if there are none
@@ -471,14 +476,14 @@ Result<PairedBoundary> pair_boundary(Tets tets, KnownFacets known, const Context
   return sorted(boundary, mate);
 }
 
-GluedSurface cut_apart(const PairedBoundary& boundary) {
-  return Cutter(boundary.triangles, boundary.mate).run();
+GluedSurface cut_apart(const PairedBoundary& boundary, bool with_tets) {
+  return Cutter(boundary, with_tets).run();
 }
 
-Result<GluedSurface> glue(Tets tets, KnownFacets known, const Context& context) {
+Result<GluedSurface> glue(Tets tets, KnownFacets known, const Context& context, bool with_tets) {
   const auto boundary = pair_boundary(tets, std::move(known), context);
   if (!boundary) return boundary.error();
-  return cut_apart(*boundary);
+  return cut_apart(*boundary, with_tets);
 }
 
 Result<GluedSurface> glue(Tets tets, const Context& context) {

@@ -32,6 +32,7 @@ struct GluedSurface {
   std::vector<SurfaceVertex> vertices;
   /// Counter-clockwise seen from outside.
   std::vector<std::array<std::uint32_t, 3>> triangles;
+  std::vector<std::uint32_t> tets;     ///< by triangle: the tetrahedron that it bounds; only if asked for
   std::uint32_t pinched_vertices = 0;  ///< input vertices with more than one copy
   std::uint32_t pinched_edges = 0;     ///< edges of input vertices with four or more boundary facets
   std::uint32_t split_edges = 0;       ///< edges split at a midpoint, counted once for each wedge
@@ -57,7 +58,7 @@ struct KnownFacets {
 /// The same; what is known is taken on trust, so that only what is loose has to be matched. O(n + b log b + m
 /// log m) for a boundary of b triangles and m facets at the vertices of what is loose.
 Result<GluedSurface> glue(std::span<const std::array<std::uint32_t, 4>> tets, KnownFacets known,
-                          const Context& context = {});
+                          const Context& context = {}, bool with_tets = false);
 
 /// The boundary before it is cut apart: triangles with the smallest vertex first, sorted; side 3 t + i leads
 /// from corner i of triangle t to the next one, and mate[side] is the side across its edge, through the
@@ -71,7 +72,7 @@ struct PairedBoundary {
 /// Both halves of glue(): between them the tetrahedra may go, which are most of the memory.
 Result<PairedBoundary> pair_boundary(std::span<const std::array<std::uint32_t, 4>> tets, KnownFacets known,
                                      const Context& context = {});
-GluedSurface cut_apart(const PairedBoundary& boundary);
+GluedSurface cut_apart(const PairedBoundary& boundary, bool with_tets = false);
 
 /// True iff the triangles form a closed oriented 2-manifold on exactly the vertices 0..vertex_count-1: three
 /// different vertices each, every directed edge once and its reverse once, one cycle of triangles around each

@@ -76,10 +76,11 @@ void Pipeline::give_tets_back() {
 
 Result<Done> Pipeline::glue_cells() {
   if (!glued_) {
-    auto made = glue(tets_, std::move(known_), context_);
+    auto made = glue(tets_, std::move(known_), context_, window_ != nullptr);
     if (!made) return made.error();
     glued_ = std::make_unique<GluedSurface>(std::move(made).value());
   }
+  if (window_) locate_surface();
   // Another order: what was known of their facets is of no use from here on.
   sort_tets(tets_, numbering_.points.size(), context_);
   if (context_.cancelled()) return cancelled();
@@ -162,20 +163,26 @@ void Pipeline::separate(const GluedSurface& glued) {
 /// Section and flat area, plane by plane.
 void Pipeline::report_planes() {
   Report& report = result_.report;
-  const Flats flats = measure_flats(faces_, numbering_, framed_.grid, graph_.planes.size());
-  report.flat_regions = flats.regions;
-  for (std::size_t p = 0; p < flats.planes.size(); ++p) {
+  const std::size_t planes = graph_.planes.size();
+  const auto areas = measure_flats(faces_, numbering_, framed_.grid, planes);
+  const auto flat = count_regions(faces_, numbering_, planes,
+                                  [&](std::size_t f, std::size_t t) { return faces_[f].is_flat(t); });
+  for (std::size_t p = 0; p < planes; ++p) {
     const FramedPlane& plane = framed_.planes[p];
     PlaneReport out;
     out.plane = plane.sources[0];
     out.vertices = static_cast<std::uint32_t>(result_.sections.planes[p].vertices.size());
     out.edges = static_cast<std::uint32_t>(result_.sections.planes[p].edges.size());
-    out.area = flats.planes[p].section;
-    out.flat_area = flats.planes[p].flat;
+    out.area = areas[p].section;
+    out.flat_area = areas[p].flat;
+    out.flat_regions = flat[p];
+    if (!thickened_.empty()) out.thickened_regions = thickened_[p];
     out.displacement = plane.displacement;
     out.off_plane = plane.off_plane;
     report.section_area += out.area;
     report.flat_area += out.flat_area;
+    report.flat_regions += out.flat_regions;
+    report.thickened_regions += out.thickened_regions;
     report.planes.push_back(out);
   }
 }

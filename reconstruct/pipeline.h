@@ -40,6 +40,7 @@ class Stopwatch {
 };
 
 class EdgeRing;
+struct Window;
 
 /// One component of the surface, not the largest, as cells see it.
 struct Piece {
@@ -105,6 +106,8 @@ class Pipeline {
   Pipeline(const Sections& sections, const Options& options, const Context& context, Observer* observer)
       : sections_(sections), options_(options), context_(context), observer_(observer) {}
   Result<Reconstruction> run();
+  /// The same for a part of a stack.
+  Result<Reconstruction> run_window(Window& window);
 
  private:
   // reconstruct.cpp
@@ -133,6 +136,10 @@ class Pipeline {
   Result<Done> glue_cells();
   SolidInCells take_solid();
   void give_tets_back();
+  // window.cpp
+  std::uint32_t slab_of(CellId id) const;
+  void note_slabs();
+  void locate_surface();
 
   Result<Done> check_options() const;
   Result<Done> check_input() const;
@@ -209,6 +216,8 @@ class Pipeline {
   std::vector<std::array<std::uint32_t, 4>> tets_;       ///< of the solid, taken out of the cells
   KnownFacets known_;                                    ///< of tets_, unless they have been glued
   std::vector<std::array<std::uint32_t, 4>> roof_tets_;  ///< of flat regions
+  std::vector<std::uint32_t> thickened_;                 ///< by plane: its flat regions that got a plate
+  Window* window_ = nullptr;                             ///< if the sections are a part of a stack
   Reconstruction result_;
 };
 

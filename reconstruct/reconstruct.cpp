@@ -25,15 +25,16 @@ Result<Done> check_natural(const NaturalOptions& options) {
 
 /// A request that names nothing would be passed over in silence.
 Result<Done> check_named(const Sections& sections, std::uint32_t plane, std::uint32_t contour) {
-  if (plane >= sections.planes.size())
+  const PlaneSection* section = plane_at(sections, plane);
+  if (section == nullptr)
     return Error{ErrorCode::usage, "a request to join names a plane that is not there", {}, 0, plane,
                  contour};
-  const auto& edges = sections.planes[plane].edges;
+  const auto& edges = section->edges;
   if (std::none_of(edges.begin(), edges.end(), [&](const ContourEdge& e) { return e.contour == contour; }))
     return Error{ErrorCode::usage,
                  "a request to join names a contour that is not there",
                  {},
-                 sections.planes[plane].line,
+                 section->line,
                  plane,
                  contour};
   return Done{};
@@ -60,7 +61,8 @@ Result<Done> Pipeline::check_input() const {
     for (const Vec3& v : sections_.planes[p].vertices)
       if (std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}) > kLargestCoordinate && is_finite(v))
         return Error{
-            ErrorCode::too_large, "a coordinate is beyond 1e100", {}, sections_.planes[p].line, p, kNone};
+            ErrorCode::too_large, "a coordinate is beyond 1e100", {}, sections_.planes[p].line,
+            position_of(sections_, p), kNone};
   return Done{};
 }
 

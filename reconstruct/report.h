@@ -25,6 +25,8 @@ struct PlaneReport {
   std::uint32_t vertices = 0, edges = 0;
   double area = 0;          ///< of its section
   double flat_area = 0;     ///< part of it that no tetrahedron touches
+  std::uint32_t flat_regions = 0;       ///< connected parts of that
+  std::uint32_t thickened_regions = 0;  ///< connected parts of the section that were flat and got a plate
   double displacement = 0;  ///< largest way of a vertex from input to lattice
   double off_plane = 0;     ///< largest input distance of a vertex from its plane
 };
@@ -71,6 +73,9 @@ struct TopologyReport {
   std::uint32_t walls = 0;                     ///< parts of the outside beyond one a cell
   std::uint32_t voids = 0;                     ///< closed surfaces within one cell
 };
+
+/// Adds the figures of a cell to the sums.
+void add_up(const CellReport& cell, TopologyReport& sum);
 
 struct Report {
   std::string mode;  ///< natural, joint, paper or paper-literal

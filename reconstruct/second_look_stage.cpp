@@ -312,7 +312,7 @@ Result<std::vector<Piece>> Pipeline::find_pieces() {
   if (tets_.empty()) return std::vector<Piece>{};
   const auto boundary = pair_boundary(tets_, std::move(solid.known), context_);
   if (!boundary) return boundary.error();
-  glued_ = std::make_unique<GluedSurface>(cut_apart(*boundary));
+  glued_ = std::make_unique<GluedSurface>(cut_apart(*boundary, window_ != nullptr));
   SurfacePieces found(*glued_, numbering_.points);
   std::vector<Piece> pieces = found.take();
   if (pieces.empty()) return pieces;

@@ -129,7 +129,7 @@ Result<Done> Pipeline::thicken() {
     if (!roofs) return roofs.error();
     take_roofs(std::move(roofs).value());
   }
-  result_.report.thickened_regions = count_regions(faces_, numbering_, [&](std::size_t f, std::size_t t) {
+  thickened_ = count_regions(faces_, numbering_, graph_.planes.size(), [&](std::size_t f, std::size_t t) {
     return was_flat[f][t] != 0 && !faces_[f].is_flat(t);
   });
   for (const CellState& cell : cells_)

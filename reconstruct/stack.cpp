@@ -1,0 +1,215 @@
+#include "stack.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "../geom/failing.h"
+#include "pipeline.h"
+#include "seam.h"
+#include "stack_planes.h"
+#include "stitcher.h"
+
+namespace crossloft {
+namespace {
+
+/// Planes that a window sees beyond those it is for: what bare or branching sections, bridges and the second
+/// look do reaches two slabs, and a seam may lie two planes away from where it was meant to be.
+constexpr std::uint32_t kOverlap = 5;
+/// Seams that are tried, one after the other, as ways from where it was meant to be.
+constexpr std::int32_t kSeams[] = {0, 1, -1, 2, -2};
+
+/// A window with the ranks that it was made from.
+struct Part {
+  Window window;
+  std::uint32_t first = 0, last = 0;
+};
+
+class StackBuilder {
+ public:
+  StackBuilder(SectionSource& source, SurfaceSink& sink, const StackOptions& options, const Context& context)
+      : source_(source), options_(options), context_(context), quiet_(context), sink_(sink) {
+    quiet_.log = nullptr;  // windows overlap: each would say it again, and count what is in both
+    quiet_.progress = nullptr;
+  }
+
+  Result<StackReport> run() {
+    Stopwatch watch;
+    if (auto good = check_options(); !good) return good.error();
+    auto planes = survey(source_, context_);
+    if (!planes) return planes.error();
+    planes_ = std::move(planes).value();
+    stitcher_.emplace(sink_, planes_.extent.low);
+    if (!planes_.extent.empty())
+      if (auto good = build(); !good) return good.error();
+    finish();
+    report_.seconds = watch.lap();
+    return std::move(report_);
+  }
+
+ private:
+  Result<Done> check_options() const {
+    const NaturalOptions& natural = options_.options.natural;
+    if (natural.divide == InCells::all || natural.look_around == InCells::all)
+      return make_error(ErrorCode::usage,
+                        "points inside all cells and a look around in all cells need all planes at once: a stack "
+                        "that is streamed has them nowhere");
+    return Done{};
+  }
+
+  Result<Done> build() {
+    const auto ranks = window_ranks(planes_, options_.window_vertices, 2 * kOverlap);
+    auto part = reconstruct_part(0, ranks[1]);
+    for (std::size_t i = 1; i + 1 < ranks.size() && part; ++i) {
+      auto next = reconstruct_part(ranks[i], ranks[i + 1]);
+      if (!next) return next.error();
+      if (auto seam = find_seam(part->window, next->window, ranks[i])) {
+        if (auto good = take(part->window, seam->position); !good) return good;
+        seam_ = std::move(seam);
+        part = std::move(next);
+      } else {
+        part = unite(*part, *next);
+      }
+    }
+    return part ? take(part->window, kNone) : part.error();
+  }
+
+  /// With its overlaps.
+  Result<Part> reconstruct_part(std::uint32_t first, std::uint32_t last) {
+    const auto count = static_cast<std::uint32_t>(planes_.positions.size());
+    return reconstruct_exactly(first < kOverlap ? 0 : first - kOverlap,
+                               last + kOverlap > count ? count : last + kOverlap);
+  }
+
+  Result<Part> reconstruct_exactly(std::uint32_t first, std::uint32_t last) {
+    context_.report("slices", static_cast<double>(first) / static_cast<double>(planes_.positions.size()));
+    auto sections = read_part(source_, planes_, first, last);
+    if (!sections) return sections.error();
+    Options options = options_.options;
+    std::erase_if(options.joins, [&](const JoinRequest& r) {
+      const auto is_here = [&](std::uint32_t position) {
+        return position >= planes_.rank_of.size() || plane_at(*sections, position) != nullptr;
+      };
+      return !is_here(r.plane_a) || !is_here(r.plane_b);
+    });
+    auto window = reconstruct_window(*sections, options, quiet_);
+    if (!window) return window.error();
+    ++report_.windows;
+    return Part{std::move(window).value(), first, last};
+  }
+
+  /// One window instead of two that fit nowhere. It has to fit what has been handed on already.
+  Result<Part> unite(const Part& a, const Part& b) {
+    auto part = reconstruct_exactly(a.first, b.last);
+    if (!part || !seam_) return part;
+    const std::uint32_t plane = plane_in(part->window, seam_->position);
+    if (plane == kNone || !fits(*seam_, part->window, plane))
+      return Error{ErrorCode::internal, "windows of the stack do not fit: it has to be reconstructed at once",
+                   source_.name(), 0, seam_->position, kNone};
+    return part;
+  }
+
+  static std::uint32_t plane_in(const Window& window, std::uint32_t position) {
+    const auto found = std::find(window.planes.begin(), window.planes.end(), position);
+    return found == window.planes.end() ? kNone
+                                        : static_cast<std::uint32_t>(found - window.planes.begin());
+  }
+
+  std::optional<Seam> find_seam(const Window& below, const Window& above, std::uint32_t rank) const {
+    for (const std::int32_t way : kSeams) {
+      const std::uint32_t position = planes_.positions[static_cast<std::uint32_t>(
+          static_cast<std::int32_t>(rank) + way)];
+      const std::uint32_t a = plane_in(below, position), b = plane_in(above, position);
+      if (a == kNone || b == kNone) continue;
+      Seam seam = make_seam(below, a);
+      if (fits(seam, above, b)) return seam;
+    }
+    return std::nullopt;
+  }
+
+  /// What the window has between the last seam and the plane at `upper`.
+  Result<Done> take(const Window& window, std::uint32_t upper) {
+    const std::uint32_t low = seam_ ? plane_in(window, seam_->position) : kNone;
+    const std::uint32_t high = upper == kNone ? kNone : plane_in(window, upper);
+    add_figures(window, low, high);
+    return stitcher_->take(window, low, high);
+  }
+
+  void add_figures(const Window& window, std::uint32_t low, std::uint32_t high) {
+    const Report& from = window.report;
+    report_.diagonal = from.diagonal;
+    for (std::uint32_t p = 0; p < from.planes.size(); ++p)
+      if ((low == kNone || p >= low) && (high == kNone || p < high)) add_plane(from.planes[p]);
+    const auto is_between = [&](std::uint32_t slab) {
+      return (low == kNone || slab > low) && (high == kNone || slab <= high);
+    };
+    for (std::uint32_t c = 0; c < from.cells.size(); ++c)
+      if (is_between(window.cell_slab[c])) {
+        report_.cells.push_back(from.cells[c]);
+        add_up(from.cells[c], report_.topology);
+      }
+    for (std::uint32_t s = 0; s < window.slab_tets.size(); ++s)
+      if (is_between(s)) report_.solid_tets += window.slab_tets[s];
+    add_new(window.framing_notes, report_.notes);
+    add_new(window.framing_warnings, report_.warnings);
+    crossing_pairs_left_ += from.crossing_pairs_left;
+    contacts_ += from.contacts;
+  }
+
+  void add_plane(const PlaneReport& plane) {
+    report_.planes.push_back(plane);
+    report_.section_area += plane.area;
+    report_.flat_area += plane.flat_area;
+    report_.flat_regions += plane.flat_regions;
+    report_.thickened_regions += plane.thickened_regions;
+    report_.displacement = std::max(report_.displacement, plane.displacement);
+    report_.off_plane = std::max(report_.off_plane, plane.off_plane);
+  }
+
+  /// Neighbours say the same of planes that both have.
+  static void add_new(const std::vector<std::string>& from, std::vector<std::string>& to) {
+    for (const std::string& text : from)
+      if (std::find(to.begin(), to.end(), text) == to.end()) to.push_back(text);
+  }
+
+  void finish() {
+    const Shells::Totals totals = stitcher_->totals();
+    report_.surface_vertices = stitcher_->points();
+    report_.surface_triangles = stitcher_->triangles();
+    report_.bodies = totals.bodies;
+    report_.cavities = totals.cavities;
+    report_.genus = totals.genus;
+    report_.volume = totals.volume;
+    if (report_.surface_triangles == 0)
+      report_.warnings.emplace_back("the surface is empty: no two sections face each other in neighbouring planes");
+    else if (report_.flat_regions != 0)
+      report_.warnings.push_back(std::to_string(report_.flat_regions) +
+                                 " section regions stay bare on both sides: the solid does not contain them");
+    if (crossing_pairs_left_ != 0)
+      report_.warnings.push_back(std::to_string(crossing_pairs_left_) +
+                                 " pairs of triangles cross after rounding and could not be mended; what two "
+                                 "windows share is counted twice");
+    if (contacts_ != 0)
+      report_.warnings.push_back(std::to_string(contacts_) +
+                                 " pairs of triangles touch; what two windows share is counted twice");
+  }
+
+  SectionSource& source_;
+  const StackOptions& options_;
+  const Context& context_;
+  Context quiet_;
+  SurfaceSink& sink_;
+  StackPlanes planes_;
+  std::optional<Stitcher> stitcher_;
+  std::optional<Seam> seam_;  ///< up to which all has been handed on
+  std::uint64_t crossing_pairs_left_ = 0, contacts_ = 0;
+  StackReport report_;
+};
+
+}  // namespace
+
+Result<StackReport> reconstruct_stack(SectionSource& source, SurfaceSink& sink, const StackOptions& options,
+                                      const Context& context) {
+  return or_out_of_memory([&] { return StackBuilder(source, sink, options, context).run(); });
+}
+
+}  // namespace crossloft

@@ -1,0 +1,123 @@
+#include "stack_planes.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "../arrangement/normalise.h"
+#include "../geom/frame.h"
+
+namespace crossloft {
+namespace {
+
+/// The normal as frames see it: parallel planes have the same one.
+struct Direction {
+  LatticeVector quantised{};
+  Vec3 unit;
+};
+
+/// REQUIRES: finite, not 0.
+Direction direction_of(const Vec3& normal) {
+  Direction d{quantise_direction(normal), {}};
+  const Vec3 v{static_cast<double>(d.quantised[0]), static_cast<double>(d.quantised[1]),
+               static_cast<double>(d.quantised[2])};
+  d.unit = (1 / norm(v)) * v;
+  return d;
+}
+
+/// Where the plane is along the direction: half way between the extreme vertices, as frames place it.
+double offset_along(const Vec3& unit, const PlaneSection& plane) {
+  if (plane.vertices.empty()) {
+    const Vec3 n = plane.normal;
+    return dot(unit, (-plane.offset / dot(n, n)) * n);
+  }
+  double low = dot(unit, plane.vertices[0]), high = low;
+  for (const Vec3& v : plane.vertices) low = std::min(low, dot(unit, v)), high = std::max(high, dot(unit, v));
+  return low / 2 + high / 2;
+}
+
+Error not_parallel(const std::string& file, const PlaneSection& plane, std::uint32_t position) {
+  return {ErrorCode::usage, "the plane is not parallel to plane 0: only a stack of parallel planes can be streamed",
+          file, plane.line, position, kNone};
+}
+
+/// Takes the planes one after the other.
+class Surveyor {
+ public:
+  explicit Surveyor(std::string name) : name_(std::move(name)) {}
+
+  Result<Done> take(PlaneSection plane) {
+    const auto position = static_cast<std::uint32_t>(offsets_.size());
+    Sections alone{name_, {}, PartOf{{position}, {}}};
+    alone.planes.push_back(std::move(plane));
+    const auto extent = extent_of_walls(alone);
+    if (!extent) return extent.error();
+    const PlaneSection& p = alone.planes[0];
+    const Direction direction = direction_of(p.normal);
+    if (!direction_) direction_ = direction;
+    if (direction.quantised != direction_->quantised) return not_parallel(name_, p, position);
+    offsets_.push_back(offset_along(direction_->unit, p));
+    out_.vertices.push_back(static_cast<std::uint32_t>(p.vertices.size()));
+    out_.extent.join(*extent);
+    return Done{};
+  }
+
+  StackPlanes finish() {
+    for (std::uint32_t p = 0; p < offsets_.size(); ++p) out_.positions.push_back(p);
+    std::stable_sort(out_.positions.begin(), out_.positions.end(),
+                     [&](std::uint32_t a, std::uint32_t b) { return offsets_[a] < offsets_[b]; });
+    out_.rank_of.resize(offsets_.size());
+    for (std::uint32_t r = 0; r < out_.positions.size(); ++r) out_.rank_of[out_.positions[r]] = r;
+    return std::move(out_);
+  }
+
+ private:
+  std::string name_;
+  std::optional<Direction> direction_;
+  std::vector<double> offsets_;
+  StackPlanes out_;
+};
+
+}  // namespace
+
+Result<StackPlanes> survey(SectionSource& source, const Context& context) {
+  const std::uint32_t count = source.plane_count();
+  if (count == 0) return Error{ErrorCode::no_plane, "there is no cutting plane", source.name(), 0, kNone, kNone};
+  Surveyor surveyor(source.name());
+  for (std::uint32_t p = 0; p < count; ++p) {
+    if (context.cancelled()) return make_error(ErrorCode::cancelled, "cancelled");
+    context.report("survey", static_cast<double>(p) / count);
+    auto plane = source.read(p);
+    if (!plane) return plane.error();
+    if (auto good = surveyor.take(std::move(plane).value()); !good) return good.error();
+  }
+  return surveyor.finish();
+}
+
+Result<Sections> read_part(SectionSource& source, const StackPlanes& planes, std::uint32_t first,
+                           std::uint32_t last) {
+  Sections part{source.name(), {}, PartOf{{}, planes.extent}};
+  for (std::uint32_t r = first; r < last; ++r) {
+    auto plane = source.read(planes.positions[r]);
+    if (!plane) return plane.error();
+    part.planes.push_back(std::move(plane).value());
+    part.part_of->positions.push_back(planes.positions[r]);
+  }
+  return part;
+}
+
+std::vector<std::uint32_t> window_ranks(const StackPlanes& planes, std::uint64_t vertices,
+                                        std::uint32_t least) {
+  const auto count = static_cast<std::uint32_t>(planes.positions.size());
+  std::vector<std::uint32_t> ranks{0};
+  std::uint64_t sum = 0;
+  for (std::uint32_t r = 0; r < count; ++r) {
+    sum += planes.vertices[planes.positions[r]];
+    if (sum < vertices || r + 1 - ranks.back() < least || count - r - 1 < least) continue;
+    ranks.push_back(r + 1);
+    sum = 0;
+  }
+  ranks.push_back(count);
+  return ranks;
+}
+
+}  // namespace crossloft

@@ -1,0 +1,287 @@
+// A stack that is streamed in windows is the stack that is reconstructed at once.
+#include "../../reconstruct/stack.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <random>
+
+#include "../../inspect/check.h"
+#include "../../inspect/slice.h"
+#include "../../inspect/solids.h"
+#include "../../reconstruct/glue.h"
+
+using namespace crossloft;
+
+namespace {
+
+using Corners = std::array<Vec3, 3>;
+
+/// Sections in memory; counts how often each plane is read.
+struct Source : SectionSource {
+  explicit Source(const Sections& all) : sections(all), reads(all.planes.size(), 0) {}
+  std::string name() const override { return sections.source; }
+  std::uint32_t plane_count() const override { return static_cast<std::uint32_t>(sections.planes.size()); }
+  Result<PlaneSection> read(std::uint32_t position) override {
+    ++reads[position];
+    return sections.planes[position];
+  }
+  const Sections& sections;
+  std::vector<int> reads;
+};
+
+struct Sink : SurfaceSink {
+  Result<Done> take(std::span<const Vec3> points,
+                    std::span<const std::array<std::uint32_t, 3>> triangles) override {
+    surface.points.insert(surface.points.end(), points.begin(), points.end());
+    for (const auto& t : triangles) {
+      for (const std::uint32_t v : t) REQUIRE(v < surface.points.size());
+      surface.triangles.push_back(t);
+    }
+    return Done{};
+  }
+  Surface surface;
+};
+
+/// Its triangles by coordinates, each with its smallest corner first, in order.
+std::vector<Corners> triangles_of(const Surface& surface) {
+  std::vector<Corners> list;
+  for (const auto& t : surface.triangles) {
+    Corners c{surface.points[t[0]], surface.points[t[1]], surface.points[t[2]]};
+    std::rotate(c.begin(), std::min_element(c.begin(), c.end()), c.end());
+    list.push_back(c);
+  }
+  std::sort(list.begin(), list.end());
+  return list;
+}
+
+struct Streamed {
+  Surface surface;
+  StackReport report;
+};
+
+/// In windows as small as they get, unless told otherwise.
+Streamed streamed(const Sections& sections, const Options& options = {}, std::uint64_t window = 1,
+                  unsigned threads = 1) {
+  Source source(sections);
+  Sink sink;
+  Context context;
+  context.threads = threads;
+  auto report = reconstruct_stack(source, sink, {options, window}, context);
+  REQUIRE_MESSAGE(report.ok(), to_string(report.ok() ? Error{} : report.error()));
+  for (const int reads : source.reads) CHECK(reads <= 3);
+  return {std::move(sink.surface), std::move(report).value()};
+}
+
+/// Streams, and compares with what all planes at once give.
+Streamed check_streamed(const Sections& sections, const Options& options = {}) {
+  const auto whole = reconstruct(sections, options);
+  REQUIRE(whole.ok());
+  Streamed parts = streamed(sections, options);
+  CHECK(parts.report.windows > 1);
+  CHECK(triangles_of(parts.surface) == triangles_of(whole->surface));
+  CHECK(parts.surface.points.size() == whole->surface.points.size());
+  CHECK(verify_surface(static_cast<std::uint32_t>(parts.surface.points.size()), parts.surface.triangles));
+  const Report& report = whole->report;
+  CHECK(parts.report.solid_tets == report.solid_tets);
+  CHECK(parts.report.cells.size() == report.cells.size());
+  CHECK(parts.report.planes.size() == report.planes.size());
+  CHECK(parts.report.flat_regions == report.flat_regions);
+  CHECK(parts.report.thickened_regions == report.thickened_regions);
+  CHECK(parts.report.topology.joins == report.topology.joins);
+  CHECK(parts.report.diagonal == report.diagonal);
+  CHECK(parts.report.section_area == doctest::Approx(report.section_area));
+  CHECK(parts.report.surface_triangles == report.surface_triangles);
+  return parts;
+}
+
+Sections stack_of(const Surface& mesh, std::uint32_t planes, Vec3 direction = {0, 0, 1}) {
+  auto sections = slice(mesh, parallel_planes(bounds_of(mesh.points), planes, direction));
+  REQUIRE(sections.ok());
+  return std::move(sections).value();
+}
+
+}  // namespace
+
+TEST_CASE("Windows of a stack make the surface of the whole") {
+  for (const auto& mesh : {trefoil_solid(40), gyroid_solid(32), nested_shells(32), genus3_solid(32)})
+    for (const Vec3 direction : {Vec3{0, 0, 1}, Vec3{1, 2, 3}, Vec3{0.9, -0.1, 0.2}})
+      check_streamed(stack_of(mesh, 45, direction));
+}
+
+TEST_CASE("Shells, handles and the volume are counted piece by piece") {
+  const auto check = [](const Surface& mesh, std::uint64_t bodies, std::uint64_t cavities,
+                        std::uint64_t genus) {
+    const Streamed parts = check_streamed(stack_of(mesh, 60, {0.1, 0.2, 1}));
+    CHECK(parts.report.bodies == bodies);
+    CHECK(parts.report.cavities == cavities);
+    CHECK(parts.report.genus == genus);
+    const CheckReport whole = check_surface(parts.surface);
+    CHECK(parts.report.volume == doctest::Approx(whole.volume));
+    CHECK(whole.components.size() == bodies + cavities);
+  };
+  check(trefoil_solid(48), 1, 0, 1);
+  check(genus2_solid(48), 1, 0, 2);
+  check(nested_shells(48), 2, 1, 0);
+}
+
+TEST_CASE("Every option that a stack can have gives the same in windows") {
+  const Sections sections = stack_of(demo_solid(40), 41);
+  for (const PruneMode mode : {PruneMode::joint, PruneMode::paper}) {
+    Options options;
+    options.mode = mode;
+    check_streamed(sections, options);
+  }
+  Options options;
+  options.branching = {Branching::all, true};
+  check_streamed(sections, options);
+  options = {};
+  options.separate = false;
+  check_streamed(sections, options);
+  options.separation = 1e-3;
+  options.thicken = 1e-3;
+  check_streamed(sections, options);
+  options = {};
+  options.simplify = 1e-3;
+  check_streamed(sections, options);
+}
+
+TEST_CASE("The order of the planes in the file, their normals and the threads do not matter") {
+  Sections sections = stack_of(genus2_solid(32), 44);
+  const auto expected = triangles_of(streamed(sections).surface);
+  std::mt19937 random(7);
+  std::shuffle(sections.planes.begin(), sections.planes.end(), random);
+  for (std::size_t p = 0; p < sections.planes.size(); p += 3) {
+    PlaneSection& plane = sections.planes[p];
+    plane.normal = -4 * plane.normal;
+    plane.offset *= -4;
+  }
+  check_streamed(sections);
+  CHECK(triangles_of(streamed(sections).surface) == expected);
+  const Streamed one = streamed(sections, {}, 1, 1), two = streamed(sections, {}, 1, 2);
+  CHECK(one.surface.points == two.surface.points);
+  CHECK(one.surface.triangles == two.surface.triangles);
+}
+
+TEST_CASE("One window is enough for a small stack, and windows hold what they are asked to") {
+  const Sections sections = stack_of(trefoil_solid(40), 60);
+  std::uint64_t vertices = 0;
+  for (const PlaneSection& plane : sections.planes) vertices += plane.vertices.size();
+  CHECK(streamed(sections, {}, vertices).report.windows == 1);
+  CHECK(streamed(sections, {}, vertices / 2).report.windows == 2);
+  CHECK(streamed(sections, {}, 1).report.windows == 6);
+}
+
+TEST_CASE("Empty planes part the solid wherever windows end") {
+  Sections sections = stack_of(trefoil_solid(40), 60);
+  for (const std::size_t p : {9U, 10U, 11U, 20U, 31U, 44U}) {
+    sections.planes[p].vertices.clear();
+    sections.planes[p].edges.clear();
+  }
+  check_streamed(sections);
+  for (std::size_t p = 12; p < 40; ++p) {
+    sections.planes[p].vertices.clear();
+    sections.planes[p].edges.clear();
+  }
+  const auto whole = reconstruct(sections);
+  REQUIRE(whole.ok());
+  CHECK(triangles_of(streamed(sections).surface) == triangles_of(whole->surface));
+  for (PlaneSection& plane : sections.planes) plane.vertices.clear(), plane.edges.clear();
+  const Streamed nothing = streamed(sections);
+  CHECK(nothing.surface.triangles.empty());
+  CHECK(nothing.report.warnings.size() == 1);
+}
+
+TEST_CASE("Planes that are one, or almost one, are so in windows too") {
+  Sections sections = stack_of(genus2_solid(32), 40);
+  for (const std::size_t p : {9U, 10U, 19U, 30U}) {
+    sections.planes.push_back(sections.planes[p]);
+    sections.planes.back().offset += 1e-11;
+  }
+  check_streamed(sections);
+}
+
+TEST_CASE("Far from the origin coordinates are rounded, in windows as in the whole") {
+  Surface mesh = genus2_solid(32);
+  for (Vec3& p : mesh.points) p = p + Vec3{3e6, -2e6, 1e6};
+  check_streamed(stack_of(mesh, 40));
+}
+
+TEST_CASE("Requests of the user act in the windows that have both planes") {
+  const Sections sections = stack_of(nested_shells(32), 40);
+  Options options;
+  options.joins.push_back({19, 0, 20, 0, false});
+  check_streamed(sections, options);
+}
+
+TEST_CASE("What can't be streamed is an error with its place") {
+  Sections sections = stack_of(torus(1, 0.4, 24, 16), 30);
+  sections.source = "torus.csl";
+  Sink sink;
+  const auto error_of = [&](const StackOptions& options = {}) {
+    Source source(sections);
+    const auto result = reconstruct_stack(source, sink, options);
+    REQUIRE(!result.ok());
+    return result.error();
+  };
+  StackOptions all;
+  all.options.natural.divide = InCells::all;
+  CHECK(error_of(all).code == ErrorCode::usage);
+  all.options.natural = {};
+  all.options.natural.look_around = InCells::all;
+  CHECK(error_of(all).code == ErrorCode::usage);
+  StackOptions unknown;
+  unknown.options.joins.push_back({99, 0, 1, 0, true});
+  CHECK(error_of(unknown).code == ErrorCode::usage);
+  const Sections good = sections;
+  sections.planes[17].normal.x += 1e-3;
+  sections.planes[17].line = 123;
+  Error error = error_of();
+  CHECK(error.code == ErrorCode::usage);
+  CHECK(error.plane == 17);
+  CHECK(error.line == 123);
+  CHECK(error.file == "torus.csl");
+  sections = good;
+  sections.planes[17].edges.pop_back();
+  error = error_of({{}, 1});
+  CHECK(error.code == ErrorCode::open_chain);
+  CHECK(error.plane == 17);
+  sections = good;
+  sections.planes[23].vertices[0].z += 0.1;
+  error = error_of({{}, 1});
+  CHECK(error.code == ErrorCode::off_plane);
+  CHECK(error.plane == 23);
+  sections.planes.clear();
+  CHECK(error_of().code == ErrorCode::no_plane);
+}
+
+TEST_CASE("Warnings about a plane name its place in the file, once") {
+  Sections sections = stack_of(torus(1, 0.4, 24, 16), 60);
+  PlaneSection& plane = sections.planes[25];
+  const auto v = static_cast<std::uint32_t>(plane.vertices.size());
+  const Vec3 p = plane.vertices[0];
+  plane.vertices.insert(plane.vertices.end(), {p, p + Vec3{0.1, 0, 0}});
+  plane.edges.push_back({v, v + 1, 1, 0, 77, 0});
+  plane.edges.push_back({v + 1, v, 1, 0, 77, 0});
+  const Streamed parts = streamed(sections);
+  CHECK(std::count(parts.report.warnings.begin(), parts.report.warnings.end(),
+                   "plane 25, contour 77: dropped, it encloses no area") == 1);
+}
+
+TEST_CASE("The sink's failure ends it") {
+  struct Full : SurfaceSink {
+    Result<Done> take(std::span<const Vec3>, std::span<const std::array<std::uint32_t, 3>>) override {
+      ++calls;
+      return make_error(ErrorCode::file_not_writable, "full");
+    }
+    int calls = 0;
+  } full;
+  const Sections sections = stack_of(torus(1, 0.4, 24, 16), 60);
+  Source source(sections);
+  const auto result = reconstruct_stack(source, full, {{}, 1});
+  REQUIRE(!result.ok());
+  CHECK(result.error().code == ErrorCode::file_not_writable);
+  CHECK(full.calls == 1);
+}
