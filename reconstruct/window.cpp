@@ -54,6 +54,8 @@ Result<Reconstruction> Pipeline::run_window(Window& window) {
   window_ = &window;
   auto result = run();
   for (const FramedPlane& plane : framed_.planes) window.planes.push_back(plane.sources.front());
+  window.framing_notes = std::move(framed_.notes);
+  window.framing_warnings = std::move(framed_.warnings);
   return result;
 }
 

@@ -77,6 +77,23 @@ for file in cube.ply cube.vtu cube.json cube2.contour; do [ -s $file ] || { echo
 grep -q '"report_version": 2' cube.json || { echo "FAILED: report without its version"; failures=$((failures + 1)); }
 expect 0 'good' check cube.ply cube.contour
 
+# A stack, slice by slice: the same surface, and only what slices can tell
+expect 0 '' reconstruct "$source/examples/demo.contour" -o solid.ply --quiet
+expect 0 '40 planes' slice solid.ply -o stack.csl --parallel 40
+expect 0 '^surface' reconstruct stack.csl -o at_once.ply
+expect 0 'in [2-9] windows' reconstruct stack.csl -o streamed.ply --stream --window 1 --report stream.json
+grep -q '"windows": [2-9]' stream.json && grep -q '"genus": [1-9]' stream.json || fail 'the report of a stream'
+expect 0 'good' check streamed.ply stack.csl
+expect 0 'IoU 1$' compare at_once.ply streamed.ply
+expect 2 'not parallel to plane 0' reconstruct "$source/examples/demo.contour" -o no.ply --stream
+expect 2 'excludes --stream' reconstruct stack.csl -o no.ply --stream --solid no.vtu
+expect 2 'has the extension .stl' reconstruct stack.csl -o no.stl --stream
+expect 2 '' reconstruct stack.csl -o no.ply --window 100
+expect 2 'all planes at once' reconstruct stack.csl -o no.ply --stream --divide all
+head -c 100000 stack.csl >cut.csl
+expect 3 '^crossloft: cut.csl:.*the file ends' reconstruct cut.csl -o no.ply --stream --report no.json
+absent no.ply no.json no.vtu no.stl
+
 # Repair
 expect 0 '^displacement +0 ' repair cube.contour -o same.contour --report same.json
 cmp -s cube.contour same.contour || { "$program" repair same.contour -o same2.contour >out.txt; cmp -s same.contour same2.contour; } ||
