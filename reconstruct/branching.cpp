@@ -72,6 +72,7 @@ class BranchingCell::Sampler {
  private:
   /// Bits of the faces (of one word) whose arcs between a and b may carry samples.
   std::uint64_t wanted(std::uint32_t a, std::uint32_t b) const;
+  bool is_over_hole(std::uint32_t a, std::uint32_t b) const;
   std::vector<FaceArc> cutting(std::size_t face, std::span<const FaceArc> all,
                                const CellDiagrams& diagrams) const;
   void add_candidates(std::size_t face, std::span<const FaceArc> arcs, const CellDiagrams& diagrams,
@@ -177,8 +178,17 @@ bool BranchingCell::lacks_on(std::size_t face) const {
 
 bool BranchingCell::may_branch() const { return components_ > options_.most_without_samples(); }
 
+void BranchingCell::find_holes() {
+  for (std::size_t f = 0; f < faces_.size(); ++f)
+    for (const auto& [v, w] : edges_in_holes(*faces_[f].triangulation)) {
+      const auto [a, b] = std::minmax(local_[f][v], local_[f][w]);
+      hole_edges_.push_back({a, b});
+    }
+  std::sort(hole_edges_.begin(), hole_edges_.end());
+}
+
 bool BranchingCell::lacks_something() const {
-  if (!options_.only_where_lacking()) return true;
+  if (!options_.only_where_lacking() || !hole_edges_.empty()) return true;
   for (std::size_t v = 0; v < labels_.size(); ++v)
     if (labels_[v] == v && (bare_[v] != 0 || flat_[v] != 0)) return true;
   return false;
@@ -230,6 +240,7 @@ std::uint64_t BranchingCell::Sampler::wanted(std::uint32_t a, std::uint32_t b) c
   const std::uint32_t la = cell_.labels_[a], lb = cell_.labels_[b];
   if (la == kNone || lb == kNone) return 0;
   if (cell_.options_.mode == Branching::automatic) {
+    if (is_over_hole(a, b)) return with_section_[word_];
     if (la == lb) return 0;
     return cell_.bare_[la] != 0 || cell_.bare_[lb] != 0 ? with_section_[word_]
                                                         : with_section_[word_] & lacking_faces_[word_];
@@ -239,6 +250,11 @@ std::uint64_t BranchingCell::Sampler::wanted(std::uint32_t a, std::uint32_t b) c
     shared += std::popcount(vertices_.mask(a, w) & vertices_.mask(b, w));
   if (shared > 1 || std::binary_search(neighbours_.begin(), neighbours_.end(), std::array{a, b})) return 0;
   return with_section_[word_];
+}
+
+bool BranchingCell::Sampler::is_over_hole(std::uint32_t a, std::uint32_t b) const {
+  return std::binary_search(cell_.hole_edges_.begin(), cell_.hole_edges_.end(),
+                            std::array{std::min(a, b), std::max(a, b)});
 }
 
 /// The sphere tangent at a meets the interior of another section before it meets the sites: a does not branch
@@ -297,7 +313,7 @@ std::vector<FaceArc> BranchingCell::Sampler::cutting(std::size_t face, std::span
 void BranchingCell::Sampler::add_candidates(std::size_t face, std::span<const FaceArc> arcs,
                                             const CellDiagrams& diagrams, bool cutting) {
   const auto in_word = static_cast<std::uint32_t>(face % 64);
-  const bool automatic = cell_.options_.mode == Branching::automatic && !cutting;
+  const bool is_automatic = cell_.options_.mode == Branching::automatic && !cutting;
   const Vec2 diagonal = maps_[face].box().high - maps_[face].box().low;
   const double least = kLeastSpacing * std::sqrt(dot(diagonal, diagonal));
   std::vector<Vec2> points;
@@ -305,6 +321,7 @@ void BranchingCell::Sampler::add_candidates(std::size_t face, std::span<const Fa
     const auto& [i, j] = arc.sites;
     if (!(std::max(spacing_[i], spacing_[j]) > 0)) continue;
     const double spacing = std::max({spacing_[i], spacing_[j], least});
+    const bool automatic = is_automatic && !is_over_hole(i, j);
     points.clear();
     sample_arc(arc, spacing / 2, maps_[face].box(), points);
     for (const Vec2 a : points) {

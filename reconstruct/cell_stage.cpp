@@ -217,7 +217,7 @@ Result<Done> Pipeline::prune_cell(CellId id, CellState& state) {
   report_topology(hand.built, pruned.natural, state.report);
   state.pruning_seconds += watch.lap();
   take_pruned(hand, pruned, state);
-  if (!may_take_samples(state, hand.faces) && !state.undivided) state.triangulation.reset();
+  if (!may_take_samples(state, hand.faces) && !state.undivided && !state.lacks_roof) state.triangulation.reset();
   if (observer_) state.built = std::move(hand.built), state.pruned = std::move(pruned);
   return Done{};
 }
@@ -236,6 +236,7 @@ void Pipeline::take_pruned(const CellInHand& hand, PruneResult& pruned, CellStat
   // Natural may leave a section no more than a spike that no solid subset would have: it lacks samples even
   // so. Where natural is solid and covers all, so does the largest solid subset.
   const CellTopology& topology = pruned.natural.after;
+  state.lacks_roof = samples_may_come_ && report.genus_before > 0 && !is_in(InCells::automatic, hand.id);
   const bool ask_joint =
       samples_may_come_ && options_.mode == PruneMode::natural && is_near_branching(hand.ids) &&
       !(topology.bare == 0 && topology.bad_links == 0 && has_ground_everywhere(cell.complex, pruned.kept));
@@ -294,13 +295,14 @@ Result<Done> Pipeline::prune_due_cells() {
 
 /// Diagrams and samples of one cell, where there can be any.
 Result<CellBranching> Pipeline::branch(CellId id, CellState& state) {
-  if (!state.may_branch) return CellBranching{};
+  if (!state.may_branch && !state.lacks_roof) return CellBranching{};
   const std::vector<FaceId> ids = inner_faces(id);
   const std::vector<CellFace> faces = cell_faces(id, ids);
-  if (options_.branching.only_where_lacking() && !observer_ && !is_somewhere_bare(faces))
+  if (options_.branching.only_where_lacking() && !observer_ && !state.lacks_roof && !is_somewhere_bare(faces))
     return CellBranching{};
   BranchingCell cell(graph_, *arrangement_, *locators_, ids, faces, numbering_.points, options_.branching);
   cell.find_bare();
+  if (state.lacks_roof) cell.find_holes();
   if (!cell.lacks_something() && !observer_) return CellBranching{};
   if (!state.triangulation) state.triangulation = std::make_unique<CellTriangulation>(faces.size());
   if (auto done = state.triangulation->add(faces, numbering_.points); !done) return done.error();

@@ -4,6 +4,7 @@
 #include <numeric>
 #include <span>
 
+#include "../geom/disjoint_sets.h"
 #include "../delaunay/conform.h"
 #include "../delaunay/lattice_predicates.h"
 #include "face_split.h"
@@ -363,6 +364,25 @@ EdgeKind LineEdges::kind(std::uint32_t u, std::uint32_t v) const {
   if (planes < shared_planes(u, v)) return EdgeKind::external;
   return std::binary_search(contour_.begin(), contour_.end(), std::array{u, v}) ? EdgeKind::contour
                                                                                 : EdgeKind::internal;
+}
+
+/// Triangles outside are connected across edges between them; what is connected with the hull is no hole.
+std::vector<std::array<std::uint32_t, 2>> edges_in_holes(const FaceTriangulation& face) {
+  std::vector<std::array<std::uint32_t, 2>> triangles(face.edges.size(), {kNone, kNone});  // by edge
+  for (std::uint32_t t = 0; t < face.triangles.size(); ++t)
+    for (const std::uint32_t e : face.sides[t]) triangles[e][triangles[e][0] == kNone ? 0 : 1] = t;
+  const auto count = static_cast<std::uint32_t>(face.triangles.size());
+  const auto is_outside = [&](std::uint32_t t) { return t != kNone && face.internal[t] == 0; };
+  DisjointSets regions(count + std::size_t{1});  // the last one is beyond the hull
+  for (const auto& [s, t] : triangles)
+    if (is_outside(s) && (t == kNone || is_outside(t))) regions.join(s, t == kNone ? count : t);
+  std::vector<std::array<std::uint32_t, 2>> edges;
+  for (std::size_t e = 0; e < triangles.size(); ++e) {
+    const auto& [s, t] = triangles[e];
+    if (is_outside(s) && is_outside(t) && regions.find(s) != regions.find(count))
+      edges.push_back({face.edges[e].a, face.edges[e].b});
+  }
+  return edges;
 }
 
 }  // namespace crossloft

@@ -78,6 +78,7 @@ struct CellState {
   BuiltCell built;                      ///< only for an observer
   PruneResult pruned;
   bool may_branch = false;  ///< samples are wanted if it lacks something
+  bool lacks_roof = false;  ///< handles had to be taken out of it: samples over holes are wanted
   bool due = true;          ///< to be pruned: not yet done, or its faces have changed
   bool undivided = false;   ///< pruned without the points inside that it wants: samples may come first
 

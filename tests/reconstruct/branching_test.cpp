@@ -136,6 +136,57 @@ TEST_CASE("all samples the medial axis of one section, automatic the axis betwee
   check_sound(*all);
 }
 
+TEST_CASE("automatic samples the roof of a hole where handles had to be taken out, in its middle") {
+  Sections sections;
+  sections.planes.push_back(plane_at(kUp, {0, 0, 0}));
+  for (const double r : {2.0, 0.8}) add_contour(sections.planes[0], polygon(kUp, {0, 0, 0}, r, 90));
+  sections.planes.push_back(row(0.2, {0}, true, 1.8, 90));
+  Watcher watcher;
+  const auto with_samples = reconstruct(sections, {}, {}, &watcher);
+  const auto without = reconstruct(sections, with(Branching::off));
+  REQUIRE(with_samples.ok());
+  REQUIRE(without.ok());
+  check_sound(*with_samples);
+  CHECK(sample_count(watcher) > 0);
+  for (const FaceBranching& side : watcher.sides)
+    for (const LatticePoint& p : side.samples) CHECK(p.z > 0);  // on the disk: the grid's origin is amid
+  REQUIRE(without->report.cells.size() == 1);
+  CHECK(without->report.cells[0].genus_before > 0);
+  CHECK(without->report.cells[0].topology.outsides == 1);
+  CHECK(with_samples->report.cells[0].topology.outsides == 2);
+  CHECK(with_samples->report.volume > 1.1 * without->report.volume);
+}
+
+/// Keeps the triangulations of faces.
+struct Faces : Observer {
+  void on_face(const FaceTriangulation& face, const Numbering&) override {
+    if (!face.triangles.empty()) faces.push_back(face);
+  }
+  std::vector<FaceTriangulation> faces;
+};
+
+TEST_CASE("edges in holes: not those in bays, in islands or beyond the section") {
+  const auto edges_of = [](PlaneSection plane) {
+    Sections sections;
+    sections.planes.push_back(std::move(plane));
+    Faces watcher;
+    REQUIRE(reconstruct(sections, {}, {}, &watcher).ok());
+    std::size_t edges = 0;
+    for (const FaceTriangulation& face : watcher.faces) edges += edges_in_holes(face).size();
+    return edges;
+  };
+  PlaneSection plane = plane_at(kUp, {0, 0, 0});
+  add_contour(plane, polygon(kUp, {0, 0, 0}, 4, 12));
+  CHECK(edges_of(plane) == 0);
+  add_contour(plane, polygon(kUp, {0, 0, 0}, 2, 12));  // a hole
+  CHECK(edges_of(plane) == 9);
+  add_contour(plane, polygon(kUp, {0, 0, 0}, 1, 12));  // with an island: between the two
+  CHECK(edges_of(plane) == 24);
+  PlaneSection bay = plane_at(kUp, {0, 0, 0});
+  add_contour(bay, {{0, 0, 0}, {3, 0, 0}, {3, 3, 0}, {2, 3, 0}, {2, 1, 0}, {1, 1, 0}, {1, 3, 0}, {0, 3, 0}});
+  CHECK(edges_of(bay) == 0);
+}
+
 TEST_CASE("noise does not matter: one circle under four, joined to all of them") {
   const std::uint64_t seed = 11;
   CAPTURE(seed);

@@ -63,6 +63,20 @@ TEST_CASE("a torus by ten to forty-five planes is a torus, whatever joint makes 
   }
 }
 
+TEST_CASE("a stack through a hollow ball: the cavity is closed at both ends") {
+  const Surface mesh = nested_shells(40);
+  for (const std::uint32_t count : {16U, 25U, 40U})
+    for (const Vec3 direction : {Vec3{0, 0, 1}, Vec3{1, 0, 0}}) {
+      CAPTURE(count);
+      const auto planes = parallel_planes(bounds_of(mesh.points), count, direction);
+      const CheckReport report = check_surface(cut_and_rebuild(mesh, planes).surface);
+      CHECK(report.components.size() == 3);
+      CHECK(report.cavities == 1);
+      CHECK(report.genus == 0);
+      CHECK(std::abs(report.volume - check_surface(mesh).volume) < 0.02 * report.volume);
+    }
+}
+
 TEST_CASE("where confidences are in doubt, the sections around a cell tell that a torus goes on") {
   const Surface mesh = torus(1, 0.4, 96, 48);
   Options options;
