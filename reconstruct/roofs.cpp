@@ -21,8 +21,8 @@ constexpr int kEdgeRounds = 16, kVertexRounds = 12;
 
 /// Lattice units: further down rounding decides where a point comes to lie.
 constexpr double kLowest = 2;
-/// Feet that are tried there, places towards each corner of solid that leans over the triangle, and rounds that
-/// may fail over them.
+/// Feet that are tried there, places towards each corner of solid that leans over the triangle, and rounds
+/// that may fail over them.
 constexpr std::size_t kFeet = 256, kLeaning = 16;
 constexpr int kFeetRounds = 8;
 
@@ -151,10 +151,10 @@ class RoofBuilder {
     r.height *= 0.5;
     place(r);
   }
-  /// Over a needle, or under solid that leans over it, the room is a few units wide: feet all over the triangle,
-  /// until one's point rounds into it. Solid may lean by so little that no grid point over the triangle is under
-  /// it: the room ends at a corner of that solid, and a plate up to there fills it. If the corner is too high, or
-  /// on another plane, the room may have a grid point on the way there.
+  /// Over a needle, or under solid that leans over it, the room is a few units wide: feet all over the
+  /// triangle, until one's point rounds into it. Solid may lean by so little that no grid point over the
+  /// triangle is under it: the room ends at a corner of that solid, and a plate up to there fills it. If the
+  /// corner is too high, or on another plane, the room may have a grid point on the way there.
   bool find_room(Raised& r) {
     while (r.tries < kFeet) {
       stand(r, r.tries++);
