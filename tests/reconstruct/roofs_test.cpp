@@ -140,8 +140,8 @@ TEST_CASE("a needle under solid gets a plate where a point rounds into the room 
   CHECK(r.height <= 2);
 }
 
-// Two tetrahedra around the long sides lean over the needle by 1e-5; where a grid point has room under them it is
-// 100 units beside the needle.
+// Two tetrahedra around the long sides lean over the needle by 1e-5; where a grid point has room under them it
+// is 100 units beside the needle.
 TEST_CASE("a needle under solid that leans by less than the grid gets a plate up to a corner of it") {
   Scene scene({{1000000, 0, 0}, {500000, 2, 0}}, 50);
   scene.triangles = {{3, {0, 1, 2}}};

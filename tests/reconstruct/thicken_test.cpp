@@ -98,9 +98,9 @@ TEST_CASE("a plate fits into a narrow wedge between solid and section") {
   CHECK(check_surface(r->surface).good_topology());
 }
 
-// Solid that goes up to points inside a cell 15,000 units of the grid thick leans over a needle 11,500 units wide
-// by 3e-10: no grid point over it was under that solid.
-TEST_CASE("a needle under solid that leans by less than the grid gets a plate towards a corner of that solid") {
+// Solid that goes up to points inside a cell 15,000 units of the grid thick leans over a needle 11,500 units
+// wide by 3e-10: no grid point over it was under that solid.
+TEST_CASE("a needle under solid that leans by less than the grid gets a plate towards its corner") {
   const Sections sections = load("plate_under_leaning_solid.contour", "/tests/reconstruct/cases/");
   SectionJudge bare;
   REQUIRE(reconstruct(sections, Options{}, {}, &bare).ok());
