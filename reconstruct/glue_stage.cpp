@@ -2,6 +2,8 @@
 
 #include "pipeline.h"
 
+#include <algorithm>
+
 #include "assemble.h"
 #include "contacts.h"
 #include "flats.h"
@@ -94,7 +96,8 @@ Result<Done> Pipeline::glue_cells() {
   if (!good) return good.error();
   result_.surface = assemble_surface(*glued, numbering_, framed_.grid);
   Report& report = result_.report;
-  report.volume = enclosed_volume(result_.surface);
+  // Where all of the solid is thinner than doubles tell it may come out negative.
+  report.volume = std::max(0.0, enclosed_volume(result_.surface));
   mend(*glued);
   if (context_.cancelled()) return cancelled();
   report.pinched_vertices = glued->pinched_vertices;

@@ -21,8 +21,10 @@ constexpr int kEdgeRounds = 16, kVertexRounds = 12;
 
 /// Lattice units: further down rounding decides where a point comes to lie.
 constexpr double kLowest = 2;
-/// Feet that are tried there, and rounds that may fail over them.
-constexpr int kFeet = 256, kFeetRounds = 8;
+/// Feet that are tried there, places towards each corner of solid that leans over the triangle, and rounds
+/// that may fail over them.
+constexpr std::size_t kFeet = 256, kLeaning = 16;
+constexpr int kFeetRounds = 8;
 
 /// A point to be raised over a triangle's middle, an edge's middle or a vertex.
 struct Raised {
@@ -31,7 +33,15 @@ struct Raised {
   LatticePoint point;
   bool changed = true;             ///< since its tetrahedra were tested last
   std::uint32_t triangle = kNone;  ///< over whose middle, if it is one
-  int feet = 0;                    ///< tried instead of the first
+  std::size_t tries = 0;           ///< of other places
+  std::uint32_t corner = kNone;    ///< of the solid, if it is in its place
+};
+
+/// A corner of the solid over a triangle.
+struct HighCorner {
+  double height = 0;
+  std::uint32_t number = 0;
+  friend auto operator<=>(const HighCorner&, const HighCorner&) = default;
 };
 
 /// A triangle, an edge between two flat triangles of one face, or a vertex that they surround.
@@ -127,34 +137,114 @@ class RoofBuilder {
     edge.patience = kEdgeRounds;
   }
 
+  static LatticeVector rounded(const Vec3& p) {
+    const auto whole = [](double x) { return static_cast<std::int64_t>(std::floor(x + 0.5)); };
+    return {whole(p.x), whole(p.y), whole(p.z)};
+  }
   static void place(Raised& r) {
-    const Vec3 p = r.foot + r.height * r.up;
-    const auto rounded = [](double x) { return static_cast<std::int64_t>(std::floor(x + 0.5)); };
-    r.point = make_point(LatticeVector{rounded(p.x), rounded(p.y), rounded(p.z)});
+    r.point = make_point(rounded(r.foot + r.height * r.up));
     r.changed = true;
   }
-  void lower(Raised& r) const {
-    if (r.triangle != kNone && r.height <= kLowest && r.feet < kFeet) return find_room(r);
+  void lower(Raised& r) {
+    const bool searches = r.triangle != kNone && (r.tries > 0 || r.height <= kLowest);
+    if (searches && find_room(r)) return;
     r.height *= 0.5;
     place(r);
   }
   /// Over a needle, or under solid that leans over it, the room is a few units wide: feet all over the
-  /// triangle (the sequence of Roberts), until one's point rounds into it.
-  void find_room(Raised& r) const {
-    const FlatTriangle& f = site_.triangles[r.triangle];
-    const Vec3 o = corner(f.v[0]), a = corner(f.v[1]) - o, b = corner(f.v[2]) - o;
-    for (bool found = false; !found && r.feet < kFeet;) {
-      ++r.feet;
-      double u = std::fmod(0.7548776662466927 * r.feet, 1), v = std::fmod(0.5698402909980532 * r.feet, 1);
-      if (u + v > 1) u = 1 - u, v = 1 - v;
-      r.foot = o + u * a + v * b;
-      r.height = std::min(site_.height, kLowest / (1 << r.feet % 4));
-      place(r);
-      found = has_room({site_.points[f.v[0]], site_.points[f.v[1]], site_.points[f.v[2]], r.point});
+  /// triangle, until one's point rounds into it. Solid may lean by so little that no grid point over the
+  /// triangle is under it: the room ends at a corner of that solid, and a plate up to there fills it. If the
+  /// corner is too high, or on another plane, the room may have a grid point on the way there.
+  bool find_room(Raised& r) {
+    while (r.tries < kFeet) {
+      stand(r, r.tries++);
+      if (has_room(r)) return true;
     }
+    take_all_obstacles();
+    const std::vector<HighCorner> corners = corners_over(site_.triangles[r.triangle]);
+    while (r.tries < kFeet + corners.size() * (1 + kLeaning)) {
+      const std::size_t k = r.tries++ - kFeet;
+      const bool leans = k >= corners.size();
+      if (leans ? lean(r, corners[k % corners.size()], k / corners.size()) : take_corner(r, corners[k]))
+        if (has_room(r)) return true;
+    }
+    r.corner = kNone;
+    r.height = std::min(r.height, kLowest);
+    return false;
   }
-  bool has_room(const LatticeTet& tet) const {
-    return is_inside(tet[3]) && orient3d(tet[0], tet[1], tet[2], tet[3]) > 0 &&
+  /// The sequence of Roberts.
+  Vec3 foot(const FlatTriangle& f, std::size_t k) const {
+    const Vec3 o = corner(f.v[0]), a = corner(f.v[1]) - o, b = corner(f.v[2]) - o;
+    const auto i = static_cast<double>(k + 1);
+    double u = std::fmod(0.7548776662466927 * i, 1), v = std::fmod(0.5698402909980532 * i, 1);
+    if (u + v > 1) u = 1 - u, v = 1 - v;
+    return o + u * a + v * b;
+  }
+  void stand(Raised& r, std::size_t k) const {
+    r.foot = foot(site_.triangles[r.triangle], k);
+    r.height = std::min(site_.height, kLowest / static_cast<double>(1 << (k + 1) % 4));
+    place(r);
+  }
+  bool take_corner(Raised& r, const HighCorner& c) const {
+    if (c.height > site_.height) return false;
+    r.corner = c.number, r.height = c.height, r.point = site_.points[c.number], r.changed = true;
+    return true;
+  }
+  /// Over a foot to the grid, and along that layer of the grid until over the line from foot to corner.
+  bool lean(Raised& r, const HighCorner& c, std::size_t k) const {
+    stand(r, k);
+    r.corner = kNone;
+    const Base base = base_of(site_.triangles[r.triangle]);
+    const double height = base.height(real(r.point));
+    if (height <= 0 || height >= c.height) return false;
+    LatticePlane layer = base.plane;
+    layer.origin = to_vector(r.point);
+    const auto [u, v] = nearest_coordinates(layer, r.foot + height / c.height * (corner(c.number) - r.foot));
+    r.point = plane_point(layer, u, v);
+    return true;
+  }
+  /// The plane below: a needle's own normal is not precise enough to tell how high a corner far beside it is.
+  struct Base {
+    LatticePlane plane;
+    Vec3 up;
+    double height(const Vec3& p) const {
+      const auto [u, v] = nearest_coordinates(plane, p);
+      return dot(p - real(plane_point(plane, u, v)), up);
+    }
+  };
+  Base base_of(const FlatTriangle& f) const {
+    const auto side = std::find_if(site_.sides.begin(), site_.sides.end(), [&](const CellSide& s) {
+      return std::all_of(f.v.begin(), f.v.end(),
+                         [&](std::uint32_t v) { return side_of_plane(s.plane, site_.points[v]) == 0; });
+    });
+    const Vec3 normal = real(side->plane.normal);
+    return {side->plane, side->side / norm(normal) * normal};
+  }
+  /// Of tetrahedra with a vertex of the triangle; the lowest first.
+  std::vector<HighCorner> corners_over(const FlatTriangle& f) const {
+    std::vector<HighCorner> corners;
+    const Base base = base_of(f);
+    const auto is_of_triangle = [&](std::uint32_t v) {
+      return std::find(f.v.begin(), f.v.end(), v) != f.v.end();
+    };
+    Bounds box;
+    for (const std::uint32_t v : f.v) box.add(corner(v));
+    around_.for_overlaps(box, [&](std::uint32_t o) {
+      const Tet& t = obstacles_[o];
+      if (std::none_of(t.begin(), t.end(), is_of_triangle)) return;
+      for (const std::uint32_t v : t) {
+        const double height = base.height(corner(v));
+        if (height > 0 && !is_of_triangle(v)) corners.push_back({height, v});
+      }
+    });
+    std::sort(corners.begin(), corners.end());
+    corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+    return corners;
+  }
+  bool has_room(const Raised& r) const {
+    const auto& v = site_.triangles[r.triangle].v;
+    const LatticeTet tet{site_.points[v[0]], site_.points[v[1]], site_.points[v[2]], r.point};
+    return is_inside(r.point) && orient3d(tet[0], tet[1], tet[2], tet[3]) > 0 &&
            !hits_obstacle(tet, box_of(tet));
   }
   bool is_inside(const LatticePoint& p) const {
@@ -192,6 +282,13 @@ class RoofBuilder {
     return box;
   }
 
+  void take_all_obstacles() {
+    if (obstacles_.size() == site_.obstacles.size()) return;
+    obstacles_ = site_.obstacles;
+    std::vector<Bounds> boxes;
+    for (const Tet& o : obstacles_) boxes.push_back(box_of(corners(o)));
+    around_ = BoxTree(boxes);
+  }
   /// The obstacles that some roof may reach.
   void find_obstacles() {
     std::vector<Bounds> boxes, obstacle_boxes;
@@ -322,10 +419,13 @@ class RoofBuilder {
     CellRoofs roofs;
     for (const Raised& r : raised_) roofs.points.push_back(r.point);
     for (const Piece& p : pieces_) {
-      roofs.tets.push_back(p.tet);
-      for (const std::uint32_t v : p.tet)
-        if (v >= kFirstRaisedPoint)
-          roofs.height = std::max(roofs.height, raised_[v - kFirstRaisedPoint].height);
+      Tet& tet = roofs.tets.emplace_back(p.tet);
+      for (std::uint32_t& v : tet) {
+        if (v < kFirstRaisedPoint) continue;
+        const Raised& r = raised_[v - kFirstRaisedPoint];
+        roofs.height = std::max(roofs.height, r.height);
+        if (r.corner != kNone) v = r.corner;
+      }
     }
     for (const Part& t : triangles_) roofs.built.push_back(t.built ? 1 : 0);
     return roofs;

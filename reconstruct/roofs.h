@@ -44,7 +44,7 @@ struct RoofSite {
 
 struct CellRoofs {
   std::vector<LatticePoint> points;  ///< number kFirstRaisedPoint + position; strictly inside the cell
-  std::vector<std::array<std::uint32_t, 4>> tets;  ///< positively oriented
+  std::vector<std::array<std::uint32_t, 4>> tets;  ///< positively oriented; may end at an obstacle's corner
   std::vector<std::uint8_t> built;                 ///< by triangle: 1 if it has got a roof
   double height = 0;                               ///< of the highest point raised, lattice units
 };
@@ -54,11 +54,14 @@ inline constexpr int kRoofRounds = 52;
 
 /// Builds what can be built. A raised point starts at the full height, or lower where the cell ends; where a
 /// tetrahedron overlaps an obstacle or another one, or is turned over by rounding, its raised points come
-/// down by half, all in one round, and again; two units over a triangle its point looks for room all over it,
-/// with 256 feet. Who fails in too many rounds is left out, and the heights start anew: what fills the fan of
-/// a vertex first, then that of an edge, then a triangle: there was no lattice point over it, or none found
-/// that has room. No tetrahedra overlap in the result; plates of different faces, and a plate and the solid
-/// beside it, meet at the section's edges and vertices. Does not depend on the order of the obstacles.
+/// down by half, all in one round, and again; two units over a triangle its point looks for room all over
+/// it, with 256 feet, then towards the corners of obstacles that touch the triangle: a corner inside the
+/// cell and no higher than asked may be the point itself, else one of 16 on the way to each. Who fails in
+/// too many rounds is left out, and the heights start anew: what fills the fan of a vertex first, then that
+/// of an edge, then a triangle: there was no lattice point over it, or none found that has room. No
+/// tetrahedra overlap in the result; plates of different faces, and a plate and the solid beside it, meet at
+/// the section's edges and vertices, or in triangles up to a common corner. Does not depend on the order of
+/// the obstacles.
 /// Expected O(n log n) each round.
 CellRoofs build_roofs(const RoofSite& site);
 

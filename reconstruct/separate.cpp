@@ -229,7 +229,7 @@ class Separator {
   }
 
   /// The shortest step first: most directions fail, and fail there.
-  bool is_free_at_first(std::size_t k, const Vec3& d) const {
+  bool is_free_at_first(std::size_t k, const Vec3& d) {
     Vec3 to = points_[copies_[k]] + std::ldexp(reach_[k], -effort_.halvings) * d;
     return is_finite(to) && confinement_.admit(umbrella(k), to) && is_free(k, to);
   }
@@ -259,7 +259,7 @@ class Separator {
   }
 
   /// A tree of what is swept, for vertices with a thousand triangles around them.
-  bool is_free(std::size_t k, const Vec3& to) const {
+  bool is_free(std::size_t k, const Vec3& to) {
     const auto own = umbrellas_.of(k);
     const auto swept = sweep(k, to);
     std::vector<Bounds> boxes;
@@ -270,23 +270,28 @@ class Separator {
       places.push_back(s.tet[2]);
     }
     const BoxTree tree(boxes);
-    bool free = true;
-    for (std::size_t n = 0; free && n < neighbours_[k].size(); ++n) {
-      const std::uint32_t t = neighbours_[k][n];
+    const auto blocks = [&](std::uint32_t t) {
       const auto at = std::lower_bound(own.begin(), own.end(), t);
       const bool is_own = at != own.end() && *at == t;
       const auto& moved = swept[is_own ? static_cast<std::size_t>(at - own.begin()) : 0].tet;
       const Corners other = is_own ? Corners{moved[1], moved[2], moved[3]} : corners(t);
       const Bounds box = bounds_of(other);
-      if (!is_own && overlap(box, {to, to}) && contains(other, to)) return false;
-      if (!is_own && beside(other, places)) continue;  // as most are, around a vertex of many triangles
+      if (!is_own && overlap(box, {to, to}) && contains(other, to)) return true;
+      if (!is_own && beside(other, places)) return false;  // as most are, around a vertex of many triangles
+      bool hit = false;
       tree.for_overlaps(box, [&](std::uint32_t i) {
-        if (!free || own[i] == t) return;
-        free = meeting({to, swept[i].tet[2], swept[i].tet[3]}, other) == Meeting::none &&
-               (is_own || !holds_one(swept[i], other));
+        if (hit || own[i] == t) return;
+        hit = meeting({to, swept[i].tet[2], swept[i].tet[3]}, other) != Meeting::none ||
+              (!is_own && holds_one(swept[i], other));
       });
-    }
-    return free;
+      return hit;
+    };
+    // What is in the way of one place is mostly in the way of the next: it is asked first from then on.
+    auto& neighbours = neighbours_[k];
+    const auto blocker = std::find_if(neighbours.begin(), neighbours.end(), blocks);
+    if (blocker == neighbours.end()) return true;
+    std::rotate(neighbours.begin(), blocker, blocker + 1);
+    return false;
   }
 
   /// In each run of copies, those at a place that a copy before them has.
@@ -310,7 +315,7 @@ class Separator {
   std::vector<std::uint32_t> copies_;  ///< ascending
   Lists umbrellas_;                    ///< by copy
   std::vector<double> reach_;          ///< by copy
-  std::vector<std::vector<std::uint32_t>> neighbours_;  ///< by copy: triangles, ascending
+  std::vector<std::vector<std::uint32_t>> neighbours_;  ///< by copy: triangles, what was in the way first
   Separation result_;
 };
 

@@ -140,6 +140,25 @@ TEST_CASE("a needle under solid gets a plate where a point rounds into the room 
   CHECK(r.height <= 2);
 }
 
+// Two tetrahedra around the long sides lean over the needle by 1e-5; where a grid point has room under them it
+// is 100 units beside the needle.
+TEST_CASE("a needle under solid that leans by less than the grid gets a plate up to a corner of it") {
+  Scene scene({{1000000, 0, 0}, {500000, 2, 0}}, 50);
+  scene.triangles = {{3, {0, 1, 2}}};
+  scene.points.push_back(make_point({500000, -1000000, 10}));
+  scene.points.push_back(make_point({500000, 0, 1000000}));
+  scene.site.sides[1] = {make_axis_plane(2, 2000000), -1};
+  scene.site.obstacles = {{2, 1, 3, 4}, {0, 2, 3, 4}};
+  const CellRoofs r = scene.build();
+  CHECK(r.built == std::vector<std::uint8_t>{1});
+  CHECK(r.tets == std::vector<Tet>{{0, 1, 2, 3}});
+  CHECK(r.height == 10);
+  scene.site.height = 9;  // the corner is higher than a plate may be
+  const CellRoofs low = scene.build();
+  CHECK(low.built == std::vector<std::uint8_t>{1});
+  CHECK(low.height <= 2);
+}
+
 TEST_CASE("what is blocked altogether is left out, the rest is built") {
   Scene scene(kSquare, 100);
   scene.points.push_back(make_point({0, 0, 500}));

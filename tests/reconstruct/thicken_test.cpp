@@ -98,6 +98,39 @@ TEST_CASE("a plate fits into a narrow wedge between solid and section") {
   CHECK(check_surface(r->surface).good_topology());
 }
 
+// Solid that goes up to points inside a cell 15,000 units of the grid thick leans over a needle 11,500 units
+// wide by 3e-10: no grid point over it was under that solid.
+TEST_CASE("a needle under solid that leans by less than the grid gets a plate towards its corner") {
+  const Sections sections = load("plate_under_leaning_solid.contour", "/tests/reconstruct/cases/");
+  SectionJudge bare;
+  REQUIRE(reconstruct(sections, Options{}, {}, &bare).ok());
+  CHECK(bare.complaint() == "");
+  for (const double height : {1e-2, 1e-12}) {  // the corner: 5e-11
+    CAPTURE(height);
+    Options options;
+    options.thicken = height;
+    SectionJudge judge(bare);
+    const auto r = reconstruct(sections, options, {}, &judge);
+    REQUIRE(r.ok());
+    CHECK(judge.complaint() == "");
+    CHECK(judge.widest_flat == 0);
+    CHECK(r->report.flat_area == 0);
+    CHECK(r->report.thickness <= height * r->report.diagonal);
+    CHECK(check_surface(r->surface).good_topology());
+  }
+}
+
+// Two needles with plates 1e-9 high: what doubles made of their volume was -1e-14.
+TEST_CASE("the volume of thin plates over needles is not negative") {
+  Options options;
+  options.mode = PruneMode::paper;
+  options.thicken = 1e-9;
+  const auto r = reconstruct(load("plates_over_needles.contour", "/tests/reconstruct/cases/"), options);
+  REQUIRE(r.ok());
+  CHECK(r->report.thickened_regions == 2);
+  CHECK(r->report.volume >= 0);
+}
+
 namespace {
 
 /// A disk whose upright neighbour ends half way across it.
