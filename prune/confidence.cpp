@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "pair.h"
 #include "star.h"
@@ -84,8 +85,9 @@ Distances to_contours(const CellComplex& complex, const CellShape& shape, std::u
   for (unsigned e = 0; e < 6; ++e) grounded |= (complex.edges[t][e] != EdgeKind::free ? 1U : 0U) << e;
   for (; grounded != 0; grounded &= grounded - 1) {
     const auto e = static_cast<unsigned>(__builtin_ctz(grounded));
-    take_edge(p, shape.points[v[kEdgeSlots[e][0]]], shape.points[v[kEdgeSlots[e][1]]],
-              complex.edges[t][e] == EdgeKind::contour, d);
+    // From the smaller one, as rounding depends on where it starts.
+    const auto [a, b] = std::minmax({v[kEdgeSlots[e][0]], v[kEdgeSlots[e][1]]});
+    take_edge(p, shape.points[a], shape.points[b], complex.edges[t][e] == EdgeKind::contour, d);
   }
   return d;
 }
@@ -106,8 +108,9 @@ double squared_distance_to(const std::array<Vec3, 2>& edge, Vec3 p) {
 /// The nearest contours need not be at a tetrahedron with vertices inside the cell. Sections are in reach of
 /// their faces.
 void take_contours(const ContourEdges& contours, const Points& p, Distances& d) {
+  std::uint32_t nearest = 0;
   for (std::size_t k = 0; k < kPoints; ++k) {
-    const double square = contours.squared_distance(p.at(k), d.in.of(k));
+    const double square = contours.squared_distance(p.at(k), d.in.of(k), nearest);
     d.in.lower(k, square);
     d.out.lower(k, square);
   }
@@ -166,7 +169,8 @@ std::int32_t mean_of(const Distances& d, bool all_grounded) {
 }  // namespace
 
 ConfidenceMeter::ConfidenceMeter(const CellComplex& complex, const Ground& ground, const CellShape& shape)
-    : complex_(complex), shape_(shape), sections_(section_rows(complex, ground, shape)) {
+    : complex_(complex), shape_(shape), memory_(shape.memory != nullptr ? *shape.memory : own_) {
+  if (memory_.sections.empty()) memory_.sections = section_rows(complex, ground, shape);
   double scale = 0;
   for (const Vec3& p : shape.points)
     scale = std::max(scale, std::fabs(p.x) + std::fabs(p.y) + std::fabs(p.z));
@@ -181,7 +185,7 @@ ConfidenceMeter::ConfidenceMeter(const CellComplex& complex, const Ground& groun
 void ConfidenceMeter::find_near_faces(Vec3 centroid, double radius, double reach) {
   const double limit = (radius + reach) * (1 + 0x1p-40) + slack_;
   near_.clear();
-  for (std::uint32_t f = 0; f < sections_.size(); ++f) {
+  for (std::uint32_t f = 0; f < memory_.sections.size(); ++f) {
     const double height = shape_.faces[f].height(centroid);
     if (height > limit) continue;
     near_.push_back({height, f});
@@ -190,17 +194,20 @@ void ConfidenceMeter::find_near_faces(Vec3 centroid, double radius, double reach
   }
 }
 
+/// They are on the hull.
 ContourEdges::ContourEdges(const CellComplex& complex, const CellShape& shape) : tree_({}) {
   std::vector<std::array<std::uint32_t, 2>> list;
-  for (std::uint32_t t = 0; t < complex.mesh.size(); ++t)
-    for (unsigned e = 0; e < 6; ++e) {
-      if (complex.edges[t][e] != EdgeKind::contour) continue;
-      const auto [a, b] =
-          std::minmax(complex.mesh.vertices[t][kEdgeSlots[e][0]], complex.mesh.vertices[t][kEdgeSlots[e][1]]);
-      list.push_back({a, b});
+  for (std::uint32_t t = 0; t < complex.mesh.size(); ++t) {
+    const auto& v = complex.mesh.vertices[t];
+    for (unsigned i = 0; i < 4; ++i) {
+      if (complex.mesh.neighbours[t][i] != kNone) continue;
+      const auto& s = kFacetSlots[i];
+      for (unsigned k = 0; k < 3; ++k)
+        if (complex.edges[t][kEdgeCorner[s[k]][s[(k + 1) % 3]] - 4U] == EdgeKind::contour &&
+            v[s[k]] < v[s[(k + 1) % 3]])  // each is in two triangles of the hull, which run against each other
+          list.push_back({v[s[k]], v[s[(k + 1) % 3]]});
     }
-  std::sort(list.begin(), list.end());
-  list.erase(std::unique(list.begin(), list.end()), list.end());
+  }
   std::vector<Bounds> boxes;
   for (const auto& [a, b] : list) {
     ends_.push_back({shape.points[a], shape.points[b]});
@@ -210,14 +217,42 @@ ContourEdges::ContourEdges(const CellComplex& complex, const CellShape& shape) :
   tree_ = BoxTree(boxes);
 }
 
-double ContourEdges::squared_distance(Vec3 p, double bound) const {
+double ContourEdges::squared_distance(Vec3 p, double bound, std::uint32_t& nearest) const {
+  if (ends_.empty()) return bound;
+  bound = std::min(bound, squared_distance_to(ends_[nearest], p));
   return tree_.nearest(
-      p, [&](std::uint32_t i) { return squared_distance_to(ends_[i], p); }, bound);
+      p,
+      [&](std::uint32_t i) {
+        const double square = squared_distance_to(ends_[i], p);
+        if (square < bound) bound = square, nearest = i;
+        return square;
+      },
+      bound);
+}
+
+std::size_t KnownConfidences::place_of(const TetName& name) const {
+  const std::uint64_t low = std::uint64_t{name[0]} << 32 | name[1], high = std::uint64_t{name[2]} << 32 | name[3];
+  std::uint64_t h = low * 0x9E3779B97F4A7C15 ^ high * 0xC2B2AE3D27D4EB4F;
+  h ^= h >> 32;
+  std::size_t at = h & (entries_.size() - 1);
+  while (entries_[at].name[0] != kNone && entries_[at].name != name) at = (at + 1) & (entries_.size() - 1);
+  return at;
+}
+
+void KnownConfidences::grow() {
+  const std::vector<Entry> old = std::exchange(entries_, std::vector<Entry>(std::max<std::size_t>(512, 2 * entries_.size())));
+  for (const Entry& entry : old)
+    if (entry.name[0] != kNone) entries_[place_of(entry.name)] = entry;
 }
 
 std::int32_t ConfidenceMeter::measure(std::uint32_t t) {
-  // Sorted, so that rounding does not depend on the order of the vertices.
-  const auto v = sorted_vertices(complex_.mesh, t);
+  const TetName name = sorted_vertices(complex_.mesh, t);
+  if (shape_.memory == nullptr) return measure_new(t, name);
+  return memory_.known.get(name, [&] { return measure_new(t, name); });
+}
+
+/// By sorted vertices, so that rounding does not depend on their order.
+std::int32_t ConfidenceMeter::measure_new(std::uint32_t t, const TetName& v) {
   const auto& at = shape_.points;
   const Vec3 centroid = 0.25 * ((at[v[0]] + at[v[1]]) + (at[v[2]] + at[v[3]]));
   std::array<Vec3, 4> middles;
@@ -231,11 +266,11 @@ std::int32_t ConfidenceMeter::measure(std::uint32_t t) {
   const bool all_grounded = !has_interior_ || !has_interior_vertex(complex_, t);
   Distances d = to_contours(complex_, shape_, t, p, all_grounded);
   if (!all_grounded) {
-    if (!contours_) contours_.emplace(complex_, shape_);
-    take_contours(*contours_, p, d);
+    if (!memory_.contours) memory_.contours.emplace(complex_, shape_);
+    take_contours(*memory_.contours, p, d);
   }
   find_near_faces(centroid, std::sqrt(farthest), reach_of(d));
-  for (const NearFace& near : near_) take_face(shape_.faces[near.face], sections_[near.face], p, d);
+  for (const NearFace& near : near_) take_face(shape_.faces[near.face], memory_.sections[near.face], p, d);
   return mean_of(d, all_grounded);
 }
 

@@ -43,8 +43,9 @@ class NaturalPruning {
     if (report.before.bodies < report.before.sections)
       report.joins = find_widest_ways(complex_, ground_, result.kept, bodies.of_ground,
                                       [&](std::uint32_t t) { return confidence_of(t); });
-    const bool good = is_good(report, result.kept), doubts = may_doubt();
-    if (!good || doubts || !requests_.joined.empty() || !requests_.questions.empty()) measure_all(r1);
+    const bool good = is_good(report, result.kept);
+    const bool doubts = may_doubt() && !is_surely_joined(r1, bodies, report.joins);
+    if (!good || !requests_.joined.empty() || !requests_.questions.empty()) measure_all(r1);
     const std::vector<std::uint8_t> cheapest = doubts ? result.kept : std::vector<std::uint8_t>{};
     if (!good) grow(result, limits_);
     if (doubts) decide_joins(r1, cheapest, result);
@@ -92,11 +93,21 @@ class NaturalPruning {
            is_in_doubt(limits_.join) && ground_.part_count() > 1;
   }
 
+  /// Whether the bodies of a subset of R1 are all that R1 has, and surely joined: the best ways through R1 are
+  /// no worse than those through the subset.
+  bool is_surely_joined(const std::vector<std::uint8_t>& r1, const CellBodies& bodies,
+                        std::span<const Join> joins) const {
+    return (joins.empty() || is_sure(joins.back().confidence)) &&
+           find_bodies(complex_, ground_, r1).of_ground == bodies.of_ground;
+  }
+
   /// Joins in doubt by the sections around; growth starts again if that changes any.
   void decide_joins(const std::vector<std::uint8_t>& r1, const std::vector<std::uint8_t>& cheapest,
-                    NaturalResult& result) const {
-    const auto plan = plan_joins(complex_, shape_, ground_, r1, result.kept, confidence_);
+                    NaturalResult& result) {
+    const auto plan = plan_joins(complex_, shape_, ground_, r1, result.kept,
+                                 [&](std::uint32_t t) { return confidence_of(t); });
     if (!plan) return;
+    measure_all(r1);
     for (std::size_t t = 0; t < r1.size(); ++t) result.kept[t] = cheapest[t] | plan->likely[t];
     GrowthLimits limits = limits_;
     limits.wishes = plan->wishes;

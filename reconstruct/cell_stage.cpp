@@ -192,8 +192,10 @@ Result<Done> Pipeline::build(CellInHand& hand, CellState& state) const {
   if (hand.built.complex.mesh.size() == 0) return Done{};
   Stopwatch watch;
   hand.ground.emplace(hand.built.complex);
-  if (options_.mode == PruneMode::natural)
+  if (options_.mode == PruneMode::natural) {
     hand.shape = cell_shape(*arrangement_, hand.id, hand.ids, hand.built);
+    hand.shape.memory = &hand.memory;
+  }
   state.pruning_seconds += watch.lap();
   return Done{};
 }

@@ -13,6 +13,7 @@
 
 #include "../arrangement/data_box.h"
 #include "../geom/parallel.h"
+#include "../prune/confidence.h"
 #include "../prune/section_field.h"
 #include "branching.h"
 #include "bridges.h"
@@ -90,7 +91,8 @@ struct CellInHand {
   std::vector<CellFace> faces;
   BuiltCell built;
   std::optional<Ground> ground;
-  CellShape shape;  ///< mode natural
+  CellShape shape;    ///< mode natural
+  CellMemory memory;  ///< of the shape
 };
 
 /// The tetrahedra of all cells and what the cells know of their facets.
