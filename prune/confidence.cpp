@@ -108,9 +108,8 @@ double squared_distance_to(const std::array<Vec3, 2>& edge, Vec3 p) {
 /// The nearest contours need not be at a tetrahedron with vertices inside the cell. Sections are in reach of
 /// their faces.
 void take_contours(const ContourEdges& contours, const Points& p, Distances& d) {
-  std::uint32_t nearest = 0;
   for (std::size_t k = 0; k < kPoints; ++k) {
-    const double square = contours.squared_distance(p.at(k), d.in.of(k), nearest);
+    const double square = contours.squared_distance(p.at(k), d.in.of(k));
     d.in.lower(k, square);
     d.out.lower(k, square);
   }
@@ -194,20 +193,20 @@ void ConfidenceMeter::find_near_faces(Vec3 centroid, double radius, double reach
   }
 }
 
-/// They are on the hull.
+/// They are on the hull, each in two triangles that run against each other.
 ContourEdges::ContourEdges(const CellComplex& complex, const CellShape& shape) : tree_({}) {
   std::vector<std::array<std::uint32_t, 2>> list;
-  for (std::uint32_t t = 0; t < complex.mesh.size(); ++t) {
-    const auto& v = complex.mesh.vertices[t];
-    for (unsigned i = 0; i < 4; ++i) {
-      if (complex.mesh.neighbours[t][i] != kNone) continue;
-      const auto& s = kFacetSlots[i];
-      for (unsigned k = 0; k < 3; ++k)
-        if (complex.edges[t][kEdgeCorner[s[k]][s[(k + 1) % 3]] - 4U] == EdgeKind::contour &&
-            v[s[k]] < v[s[(k + 1) % 3]])  // each is in two triangles of the hull, which run against each other
-          list.push_back({v[s[k]], v[s[(k + 1) % 3]]});
+  const auto list_sides = [&](std::uint32_t t, unsigned i) {
+    const auto& slots = kFacetSlots[i];
+    for (unsigned k = 0; k < 3; ++k) {
+      const unsigned from = slots[k], to = slots[(k + 1) % 3];
+      const std::uint32_t a = complex.mesh.vertices[t][from], b = complex.mesh.vertices[t][to];
+      if (a < b && complex.edges[t][kEdgeCorner[from][to] - 4U] == EdgeKind::contour) list.push_back({a, b});
     }
-  }
+  };
+  for (std::uint32_t t = 0; t < complex.mesh.size(); ++t)
+    for (unsigned i = 0; i < 4; ++i)
+      if (complex.mesh.neighbours[t][i] == kNone) list_sides(t, i);
   std::vector<Bounds> boxes;
   for (const auto& [a, b] : list) {
     ends_.push_back({shape.points[a], shape.points[b]});
@@ -217,30 +216,25 @@ ContourEdges::ContourEdges(const CellComplex& complex, const CellShape& shape) :
   tree_ = BoxTree(boxes);
 }
 
-double ContourEdges::squared_distance(Vec3 p, double bound, std::uint32_t& nearest) const {
-  if (ends_.empty()) return bound;
-  bound = std::min(bound, squared_distance_to(ends_[nearest], p));
+double ContourEdges::squared_distance(Vec3 p, double bound) const {
   return tree_.nearest(
-      p,
-      [&](std::uint32_t i) {
-        const double square = squared_distance_to(ends_[i], p);
-        if (square < bound) bound = square, nearest = i;
-        return square;
-      },
-      bound);
+      p, [&](std::uint32_t i) { return squared_distance_to(ends_[i], p); }, bound);
 }
 
 std::size_t KnownConfidences::place_of(const TetName& name) const {
-  const std::uint64_t low = std::uint64_t{name[0]} << 32 | name[1], high = std::uint64_t{name[2]} << 32 | name[3];
-  std::uint64_t h = low * 0x9E3779B97F4A7C15 ^ high * 0xC2B2AE3D27D4EB4F;
-  h ^= h >> 32;
-  std::size_t at = h & (entries_.size() - 1);
-  while (entries_[at].name[0] != kNone && entries_[at].name != name) at = (at + 1) & (entries_.size() - 1);
+  const std::uint64_t low = std::uint64_t{name[0]} << 32 | name[1];
+  const std::uint64_t high = std::uint64_t{name[2]} << 32 | name[3];
+  const std::uint64_t mixed = low * 0x9E3779B97F4A7C15 ^ high * 0xC2B2AE3D27D4EB4F;
+  const std::size_t mask = entries_.size() - 1;
+  std::size_t at = (mixed ^ mixed >> 32) & mask;
+  while (entries_[at].name[0] != kNone && entries_[at].name != name) at = (at + 1) & mask;
   return at;
 }
 
 void KnownConfidences::grow() {
-  const std::vector<Entry> old = std::exchange(entries_, std::vector<Entry>(std::max<std::size_t>(512, 2 * entries_.size())));
+  constexpr std::size_t kFirst = 512;
+  std::vector<Entry> old(std::max(kFirst, 2 * entries_.size()));
+  std::swap(old, entries_);
   for (const Entry& entry : old)
     if (entry.name[0] != kNone) entries_[place_of(entry.name)] = entry;
 }

@@ -27,9 +27,8 @@ inline std::int32_t as_integer(double confidence) {
 class ContourEdges {
  public:
   ContourEdges(const CellComplex& complex, const CellShape& shape);
-  /// To the nearest one, if that is less than the bound. Expected O(log n). `nearest`: one that was near
-  /// before; in the end the nearest one, unless none is within the bound.
-  double squared_distance(Vec3 p, double bound, std::uint32_t& nearest) const;
+  /// To the nearest one, if that is less than the bound. Expected O(log n).
+  double squared_distance(Vec3 p, double bound) const;
 
  private:
   std::vector<std::array<Vec3, 2>> ends_;

@@ -4,7 +4,6 @@
 #include <array>
 
 #include "../geom/disjoint_sets.h"
-#include "cell_topology.h"
 #include "confidence.h"
 #include "section_field.h"
 #include "smooth_function.h"
@@ -132,10 +131,10 @@ bool is_in_doubt(std::int32_t confidence) {
 bool is_sure(std::int32_t confidence) { return confidence > as_integer(kSurelyJoined); }
 
 std::optional<JoinPlan> plan_joins(const CellComplex& complex, const CellShape& shape, const Ground& ground,
-                                   const std::vector<std::uint8_t>& r1, const std::vector<std::uint8_t>& kept,
+                                   const std::vector<std::uint8_t>& r1, std::span<const std::uint32_t> body_in_r1,
+                                   const std::vector<std::uint8_t>& kept,
                                    const std::function<std::int32_t(std::uint32_t)>& measure) {
-  const std::vector<Join> possible =
-      find_widest_ways(complex, ground, r1, find_bodies(complex, ground, r1).of_ground, measure);
+  const std::vector<Join> possible = find_widest_ways(complex, ground, r1, body_in_r1, measure);
   if (std::none_of(possible.begin(), possible.end(), [](const Join& j) { return is_in_doubt(j.confidence); }))
     return std::nullopt;
   const std::vector<Part> parts = list_parts(complex, ground);

@@ -44,11 +44,13 @@ class NaturalPruning {
       report.joins = find_widest_ways(complex_, ground_, result.kept, bodies.of_ground,
                                       [&](std::uint32_t t) { return confidence_of(t); });
     const bool good = is_good(report, result.kept);
-    const bool doubts = may_doubt() && !is_surely_joined(r1, bodies, report.joins);
+    std::vector<std::uint32_t> body_in_r1;
+    if (may_doubt()) body_in_r1 = bodies_of(r1, bodies);
+    const bool doubts = !body_in_r1.empty() && !is_surely_joined(bodies, body_in_r1, report.joins);
     if (!good || !requests_.joined.empty() || !requests_.questions.empty()) measure_all(r1);
     const std::vector<std::uint8_t> cheapest = doubts ? result.kept : std::vector<std::uint8_t>{};
     if (!good) grow(result, limits_);
-    if (doubts) decide_joins(r1, cheapest, result);
+    if (doubts) decide_joins(r1, body_in_r1, cheapest, result);
     if (!requests_.joined.empty()) join_alone(r1, result);
     if (!requests_.questions.empty())
       result.answers =
@@ -95,16 +97,22 @@ class NaturalPruning {
 
   /// Whether the bodies of a subset of R1 are all that R1 has, and surely joined: the best ways through R1 are
   /// no worse than those through the subset.
-  bool is_surely_joined(const std::vector<std::uint8_t>& r1, const CellBodies& bodies,
+  bool is_surely_joined(const CellBodies& bodies, const std::vector<std::uint32_t>& body_in_r1,
                         std::span<const Join> joins) const {
-    return (joins.empty() || is_sure(joins.back().confidence)) &&
-           find_bodies(complex_, ground_, r1).of_ground == bodies.of_ground;
+    return (joins.empty() || is_sure(joins.back().confidence)) && body_in_r1 == bodies.of_ground;
+  }
+
+  /// Bodies of R1 by ground triangle. Those of a subset that are one are so in R1.
+  std::vector<std::uint32_t> bodies_of(const std::vector<std::uint8_t>& r1, const CellBodies& subset) const {
+    const bool is_one = std::all_of(subset.of_ground.begin(), subset.of_ground.end(),
+                                    [](std::uint32_t body) { return body == 0; });
+    return is_one ? subset.of_ground : find_bodies(complex_, ground_, r1).of_ground;
   }
 
   /// Joins in doubt by the sections around; growth starts again if that changes any.
-  void decide_joins(const std::vector<std::uint8_t>& r1, const std::vector<std::uint8_t>& cheapest,
-                    NaturalResult& result) {
-    const auto plan = plan_joins(complex_, shape_, ground_, r1, result.kept,
+  void decide_joins(const std::vector<std::uint8_t>& r1, std::span<const std::uint32_t> body_in_r1,
+                    const std::vector<std::uint8_t>& cheapest, NaturalResult& result) {
+    const auto plan = plan_joins(complex_, shape_, ground_, r1, body_in_r1, result.kept,
                                  [&](std::uint32_t t) { return confidence_of(t); });
     if (!plan) return;
     measure_all(r1);
