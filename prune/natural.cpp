@@ -47,14 +47,11 @@ class NaturalPruning {
     std::vector<std::uint32_t> body_in_r1;
     if (may_doubt()) body_in_r1 = bodies_of(r1, bodies);
     const bool doubts = !body_in_r1.empty() && !is_surely_joined(bodies, body_in_r1, report.joins);
-    if (!good || !requests_.joined.empty() || !requests_.questions.empty()) measure_all(r1);
+    if (!good || !requests_.joined.empty()) measure_all(r1);
     const std::vector<std::uint8_t> cheapest = doubts ? result.kept : std::vector<std::uint8_t>{};
     if (!good) grow(result, limits_);
     if (doubts) decide_joins(r1, body_in_r1, cheapest, result);
     if (!requests_.joined.empty()) join_alone(r1, result);
-    if (!requests_.questions.empty())
-      result.answers =
-          SecondLook(complex_, ground_, r1, result.kept, confidence_).answer(requests_.questions);
     return result;
   }
 

@@ -5,7 +5,9 @@
 #include <utility>
 
 #include "../geom/disjoint_sets.h"
+#include "confidence.h"
 #include "contact.h"
+#include "prune.h"
 #include "star.h"
 
 namespace crossloft {
@@ -281,6 +283,16 @@ Answers SecondLook::answer(const SecondThoughts& questions) const {
     if (beyond_hull) parts.push_back({Opening::wide, kNone, false, 0, {}, {}});
   }
   return answers;
+}
+
+Answers answer_questions(const CellComplex& complex, const Ground& ground, const CellShape& shape,
+                         const std::vector<std::uint8_t>& kept, const SecondThoughts& questions) {
+  const std::vector<std::uint8_t> r1 = without_external(complex);
+  ConfidenceMeter meter(complex, ground, shape);
+  std::vector<std::int32_t> confidence(r1.size(), -kCertain);
+  for (std::uint32_t t = 0; t < r1.size(); ++t)
+    if (r1[t] != 0) confidence[t] = meter.measure(t);
+  return SecondLook(complex, ground, r1, kept, confidence).answer(questions);
 }
 
 }  // namespace crossloft

@@ -65,8 +65,9 @@ struct CellState {
   std::vector<std::array<std::uint32_t, 4>> partners;
   CellReport report;
   double delaunay_seconds = 0, pruning_seconds = 0;
-  CellRequests asked;  ///< of other than the user, by final numbers
-  Answers answers;     ///< to them, by final numbers and faces of the arrangement
+  CellRequests asked;        ///< of other than the user, by final numbers
+  SecondThoughts questions;  ///< by final numbers
+  Answers answers;           ///< to them, by final numbers and faces of the arrangement
   std::vector<std::array<std::uint32_t, 4>> bridge_tets;
   std::vector<GroundTriangle> bridge_ground;
   CellBridges bridges;  ///< mode natural
@@ -156,6 +157,7 @@ class Pipeline {
   Result<BuiltCell> triangulate(std::span<const CellFace> faces, CellState& state) const;
   Result<Done> build(CellInHand& hand, CellState& state) const;
   PruneResult prune_built(const CellInHand& hand, const CellRequests& asked) const;
+  Result<Done> answer(CellInHand& hand, CellState& state) const;
   void take_pruned(const CellInHand& hand, PruneResult& pruned, CellState& state);
   Result<Done> check_pruned(const BuiltCell& cell, const PruneResult& pruned) const;
   void report_topology(const BuiltCell& cell, const NaturalReport& natural, CellReport& report) const;
