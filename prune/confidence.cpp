@@ -193,20 +193,23 @@ void ConfidenceMeter::find_near_faces(Vec3 centroid, double radius, double reach
   }
 }
 
-/// They are on the hull, each in two triangles that run against each other.
+/// They are on the hull.
 ContourEdges::ContourEdges(const CellComplex& complex, const CellShape& shape) : tree_({}) {
   std::vector<std::array<std::uint32_t, 2>> list;
   const auto list_sides = [&](std::uint32_t t, unsigned i) {
     const auto& slots = kFacetSlots[i];
     for (unsigned k = 0; k < 3; ++k) {
       const unsigned from = slots[k], to = slots[(k + 1) % 3];
-      const std::uint32_t a = complex.mesh.vertices[t][from], b = complex.mesh.vertices[t][to];
-      if (a < b && complex.edges[t][kEdgeCorner[from][to] - 4U] == EdgeKind::contour) list.push_back({a, b});
+      if (complex.edges[t][kEdgeCorner[from][to] - 4U] != EdgeKind::contour) continue;
+      const auto [a, b] = std::minmax({complex.mesh.vertices[t][from], complex.mesh.vertices[t][to]});
+      list.push_back({a, b});
     }
   };
   for (std::uint32_t t = 0; t < complex.mesh.size(); ++t)
     for (unsigned i = 0; i < 4; ++i)
       if (complex.mesh.neighbours[t][i] == kNone) list_sides(t, i);
+  std::sort(list.begin(), list.end());
+  list.erase(std::unique(list.begin(), list.end()), list.end());
   std::vector<Bounds> boxes;
   for (const auto& [a, b] : list) {
     ends_.push_back({shape.points[a], shape.points[b]});
