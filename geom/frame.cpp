@@ -92,8 +92,8 @@ LatticeVector without_part_along(const LatticeVector& direction, const LatticeVe
   return narrow(v);
 }
 
-/// The vector a i + b j, i and j from -1 to 1, nearest to d; the lexicographically first of several. REQUIRES:
-/// components below 2^60, so that squared lengths have at most 126 bits.
+/// The vector a i + b j, i and j from -1 to 1, nearest to d; the lexicographically first of several.
+/// REQUIRES: components below 2^60, so that squared lengths have at most 126 bits.
 LatticeVector nearest_step(const LatticeVector& a, const LatticeVector& b, const LatticeVector& d) {
   const auto squared_distance = [&](const LatticeVector& v) {
     Int128 sum = 0;
@@ -113,8 +113,8 @@ LatticeVector nearest_step(const LatticeVector& a, const LatticeVector& b, const
 }
 
 /// The vector a i + b j, i and j integers, nearest to d; the lexicographically first of several.
-/// The basis is reduced: that is at most one step from the rounded coefficients, and what is left of d there is
-/// no longer than a, b and the distance of d from their plane, some 2^53 at most, together.
+/// The basis is reduced: that is at most one step from the rounded coefficients, and what is left of d there
+/// is no longer than a, b and the distance of d from their plane, some 2^53 at most, together.
 WideVector nearest_combination(const WideVector& a, const WideVector& b, const WideVector& d) {
   const Wide aa = norm2(a), bb = norm2(b), ab = dot(a, b), ad = dot(a, d), bd = dot(b, d);
   const Wide det = aa * bb - ab * ab;

@@ -63,8 +63,8 @@ class KnownConfidences {
 /// What is the same for a cell however points inside divide it: its sections and contours, and the
 /// confidences of tetrahedra that stay. REQUIRES: such points come after all vertices.
 struct CellMemory {
-  std::vector<SectionRows> sections;      ///< by face
-  std::optional<ContourEdges> contours;   ///< once a tetrahedron has a vertex inside the cell
+  std::vector<SectionRows> sections;     ///< by face
+  std::optional<ContourEdges> contours;  ///< once a tetrahedron has a vertex inside the cell
   KnownConfidences known;
 };
 
@@ -83,7 +83,8 @@ class ConfidenceMeter {
   ConfidenceMeter(const ConfidenceMeter&) = delete;
   ConfidenceMeter& operator=(const ConfidenceMeter&) = delete;
 
-  /// O(faces), with a handful of questions to the sections; O(1) once it is known. Not by two threads at once.
+  /// O(faces), with a handful of questions to the sections; O(1) once it is known. Not by two threads at
+  /// once.
   std::int32_t measure(std::uint32_t t);
 
  private:

@@ -131,7 +131,8 @@ bool is_in_doubt(std::int32_t confidence) {
 bool is_sure(std::int32_t confidence) { return confidence > as_integer(kSurelyJoined); }
 
 std::optional<JoinPlan> plan_joins(const CellComplex& complex, const CellShape& shape, const Ground& ground,
-                                   const std::vector<std::uint8_t>& r1, std::span<const std::uint32_t> body_in_r1,
+                                   const std::vector<std::uint8_t>& r1,
+                                   std::span<const std::uint32_t> body_in_r1,
                                    const std::vector<std::uint8_t>& kept,
                                    const std::function<std::int32_t(std::uint32_t)>& measure) {
   const std::vector<Join> possible = find_widest_ways(complex, ground, r1, body_in_r1, measure);

@@ -34,7 +34,8 @@ struct JoinPlan {
 /// `body_in_r1`: as in find_widest_ways(). REQUIRES: the shape has a field.
 /// Where joins are in doubt O(s^3 + n s) for s samples, and what these take; else O(n log n).
 std::optional<JoinPlan> plan_joins(const CellComplex& complex, const CellShape& shape, const Ground& ground,
-                                   const std::vector<std::uint8_t>& r1, std::span<const std::uint32_t> body_in_r1,
+                                   const std::vector<std::uint8_t>& r1,
+                                   std::span<const std::uint32_t> body_in_r1,
                                    const std::vector<std::uint8_t>& kept,
                                    const std::function<std::int32_t(std::uint32_t)>& measure);
 

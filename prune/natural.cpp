@@ -92,8 +92,8 @@ class NaturalPruning {
            is_in_doubt(limits_.join) && ground_.part_count() > 1;
   }
 
-  /// Whether the bodies of a subset of R1 are all that R1 has, and surely joined: the best ways through R1 are
-  /// no worse than those through the subset.
+  /// Whether the bodies of a subset of R1 are all that R1 has, and surely joined: the best ways through R1
+  /// are no worse than those through the subset.
   bool is_surely_joined(const CellBodies& bodies, const std::vector<std::uint32_t>& body_in_r1,
                         std::span<const Join> joins) const {
     return (joins.empty() || is_sure(joins.back().confidence)) && body_in_r1 == bodies.of_ground;

@@ -185,7 +185,8 @@ Way SecondLook::way_from(const TetName& body) const {
 }
 
 Way SecondLook::way_from(View& view, std::uint32_t start) const {
-  auto& [bodies, preference, names] = view;
+  Bodies& bodies = view.bodies;  // for clang 14 no lambda may take what is bound together with others
+  Preference& preference = view.preference;
   const std::uint32_t own = bodies.of_tet(start);
   if (!bodies.stands_on_one_part(own)) return {};
   std::vector<std::uint32_t> starts;

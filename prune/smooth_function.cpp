@@ -33,8 +33,8 @@ struct LinearSystem {
     if (best != k) std::swap_ranges(row(k), row(k) + n + 1, row(best));
   }
 
-  /// Pivot k; in the rows below it the factor by which it is taken off comes into column k, and columns before
-  /// `end` are done. False if it is too small.
+  /// Pivot k; in the rows below it the factor by which it is taken off comes into column k, and columns
+  /// before `end` are done. False if it is too small.
   bool eliminate(std::size_t k, std::size_t end) {
     constexpr double kSmallestPivot = 1e-11;
     bring_pivot(k);
