@@ -9,6 +9,8 @@
 namespace crossloft {
 namespace {
 
+__extension__ using Int128 = __int128;
+
 constexpr double kDirectionScale = 70368744177664.0;  // 2^46
 constexpr int kLeastWeight = 20, kGreatestWeight = 60;
 constexpr std::int64_t kAxisLimit = std::int64_t{1} << 30;
@@ -90,23 +92,35 @@ LatticeVector without_part_along(const LatticeVector& direction, const LatticeVe
   return narrow(v);
 }
 
+/// The vector a i + b j, i and j from -1 to 1, nearest to d; the lexicographically first of several.
+/// REQUIRES: components below 2^60, so that squared lengths have at most 126 bits.
+LatticeVector nearest_step(const LatticeVector& a, const LatticeVector& b, const LatticeVector& d) {
+  const auto squared_distance = [&](const LatticeVector& v) {
+    Int128 sum = 0;
+    for (std::size_t k = 0; k < 3; ++k) sum += Int128{d[k] - v[k]} * (d[k] - v[k]);
+    return sum;
+  };
+  LatticeVector best{};
+  Int128 best_distance = squared_distance(best);
+  for (int i = -1; i <= 1; ++i)
+    for (int j = -1; j <= 1; ++j) {
+      const LatticeVector v{i * a[0] + j * b[0], i * a[1] + j * b[1], i * a[2] + j * b[2]};
+      const Int128 distance = squared_distance(v);
+      if (distance < best_distance || (distance == best_distance && v < best))
+        best = v, best_distance = distance;
+    }
+  return best;
+}
+
 /// The vector a i + b j, i and j integers, nearest to d; the lexicographically first of several.
+/// The basis is reduced: that is at most one step from the rounded coefficients, and what is left of d there
+/// is no longer than a, b and the distance of d from their plane, some 2^53 at most, together.
 WideVector nearest_combination(const WideVector& a, const WideVector& b, const WideVector& d) {
   const Wide aa = norm2(a), bb = norm2(b), ab = dot(a, b), ad = dot(a, d), bd = dot(b, d);
   const Wide det = aa * bb - ab * ab;
   const WideVector base =
       round_quotient(ad * bb - bd * ab, det) * a + round_quotient(bd * aa - ad * ab, det) * b;
-  // The basis is reduced: the nearest vector is at most one step from the rounded coefficients.
-  WideVector best = base;
-  Wide best_distance = norm2(d - base);
-  for (int i = -1; i <= 1; ++i)
-    for (int j = -1; j <= 1; ++j) {
-      const WideVector v = base + Wide(i) * a + Wide(j) * b;
-      const Wide distance = norm2(d - v);
-      if (distance < best_distance || (distance == best_distance && v < best))
-        best = v, best_distance = distance;
-    }
-  return best;
+  return base + widen(nearest_step(narrow(a), narrow(b), narrow(d - base)));
 }
 
 /// The plane { N.x = N.centre + offset }.

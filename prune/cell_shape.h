@@ -16,6 +16,7 @@ struct FacePlane {
 };
 
 class LazySectionField;
+struct CellMemory;
 
 /// In one unit of length, any; coordinates may be rounded: they decide how good a tetrahedron is, never
 /// what is next to what.
@@ -24,6 +25,8 @@ struct CellShape {
   std::vector<FacePlane> faces;  ///< by bit of the face masks; then faces without vertices
   /// The sections of all planes in the same coordinates, if joins in doubt may look at them.
   const LazySectionField* field = nullptr;
+  /// What was measured before (confidence.h), if the cell has had other tetrahedra. Not for two threads.
+  CellMemory* memory = nullptr;
 };
 
 }  // namespace crossloft

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "pair.h"
 #include "star.h"
@@ -84,8 +85,9 @@ Distances to_contours(const CellComplex& complex, const CellShape& shape, std::u
   for (unsigned e = 0; e < 6; ++e) grounded |= (complex.edges[t][e] != EdgeKind::free ? 1U : 0U) << e;
   for (; grounded != 0; grounded &= grounded - 1) {
     const auto e = static_cast<unsigned>(__builtin_ctz(grounded));
-    take_edge(p, shape.points[v[kEdgeSlots[e][0]]], shape.points[v[kEdgeSlots[e][1]]],
-              complex.edges[t][e] == EdgeKind::contour, d);
+    // From the smaller one, as rounding depends on where it starts.
+    const auto [a, b] = std::minmax({v[kEdgeSlots[e][0]], v[kEdgeSlots[e][1]]});
+    take_edge(p, shape.points[a], shape.points[b], complex.edges[t][e] == EdgeKind::contour, d);
   }
   return d;
 }
@@ -166,7 +168,8 @@ std::int32_t mean_of(const Distances& d, bool all_grounded) {
 }  // namespace
 
 ConfidenceMeter::ConfidenceMeter(const CellComplex& complex, const Ground& ground, const CellShape& shape)
-    : complex_(complex), shape_(shape), sections_(section_rows(complex, ground, shape)) {
+    : complex_(complex), shape_(shape), memory_(shape.memory != nullptr ? *shape.memory : own_) {
+  if (memory_.sections.empty()) memory_.sections = section_rows(complex, ground, shape);
   double scale = 0;
   for (const Vec3& p : shape.points)
     scale = std::max(scale, std::fabs(p.x) + std::fabs(p.y) + std::fabs(p.z));
@@ -181,7 +184,7 @@ ConfidenceMeter::ConfidenceMeter(const CellComplex& complex, const Ground& groun
 void ConfidenceMeter::find_near_faces(Vec3 centroid, double radius, double reach) {
   const double limit = (radius + reach) * (1 + 0x1p-40) + slack_;
   near_.clear();
-  for (std::uint32_t f = 0; f < sections_.size(); ++f) {
+  for (std::uint32_t f = 0; f < memory_.sections.size(); ++f) {
     const double height = shape_.faces[f].height(centroid);
     if (height > limit) continue;
     near_.push_back({height, f});
@@ -190,15 +193,21 @@ void ConfidenceMeter::find_near_faces(Vec3 centroid, double radius, double reach
   }
 }
 
+/// They are on the hull.
 ContourEdges::ContourEdges(const CellComplex& complex, const CellShape& shape) : tree_({}) {
   std::vector<std::array<std::uint32_t, 2>> list;
-  for (std::uint32_t t = 0; t < complex.mesh.size(); ++t)
-    for (unsigned e = 0; e < 6; ++e) {
-      if (complex.edges[t][e] != EdgeKind::contour) continue;
-      const auto [a, b] =
-          std::minmax(complex.mesh.vertices[t][kEdgeSlots[e][0]], complex.mesh.vertices[t][kEdgeSlots[e][1]]);
+  const auto list_sides = [&](std::uint32_t t, unsigned i) {
+    const auto& slots = kFacetSlots[i];
+    for (unsigned k = 0; k < 3; ++k) {
+      const unsigned from = slots[k], to = slots[(k + 1) % 3];
+      if (complex.edges[t][kEdgeCorner[from][to] - 4U] != EdgeKind::contour) continue;
+      const auto [a, b] = std::minmax({complex.mesh.vertices[t][from], complex.mesh.vertices[t][to]});
       list.push_back({a, b});
     }
+  };
+  for (std::uint32_t t = 0; t < complex.mesh.size(); ++t)
+    for (unsigned i = 0; i < 4; ++i)
+      if (complex.mesh.neighbours[t][i] == kNone) list_sides(t, i);
   std::sort(list.begin(), list.end());
   list.erase(std::unique(list.begin(), list.end()), list.end());
   std::vector<Bounds> boxes;
@@ -215,9 +224,32 @@ double ContourEdges::squared_distance(Vec3 p, double bound) const {
       p, [&](std::uint32_t i) { return squared_distance_to(ends_[i], p); }, bound);
 }
 
+std::size_t KnownConfidences::place_of(const TetName& name) const {
+  const std::uint64_t low = std::uint64_t{name[0]} << 32 | name[1];
+  const std::uint64_t high = std::uint64_t{name[2]} << 32 | name[3];
+  const std::uint64_t mixed = low * 0x9E3779B97F4A7C15 ^ high * 0xC2B2AE3D27D4EB4F;
+  const std::size_t mask = entries_.size() - 1;
+  std::size_t at = (mixed ^ mixed >> 32) & mask;
+  while (entries_[at].name[0] != kNone && entries_[at].name != name) at = (at + 1) & mask;
+  return at;
+}
+
+void KnownConfidences::grow() {
+  constexpr std::size_t kFirst = 512;
+  std::vector<Entry> old(std::max(kFirst, 2 * entries_.size()));
+  std::swap(old, entries_);
+  for (const Entry& entry : old)
+    if (entry.name[0] != kNone) entries_[place_of(entry.name)] = entry;
+}
+
 std::int32_t ConfidenceMeter::measure(std::uint32_t t) {
-  // Sorted, so that rounding does not depend on the order of the vertices.
-  const auto v = sorted_vertices(complex_.mesh, t);
+  const TetName name = sorted_vertices(complex_.mesh, t);
+  if (shape_.memory == nullptr) return measure_new(t, name);
+  return memory_.known.get(name, [&] { return measure_new(t, name); });
+}
+
+/// By sorted vertices, so that rounding does not depend on their order.
+std::int32_t ConfidenceMeter::measure_new(std::uint32_t t, const TetName& v) {
   const auto& at = shape_.points;
   const Vec3 centroid = 0.25 * ((at[v[0]] + at[v[1]]) + (at[v[2]] + at[v[3]]));
   std::array<Vec3, 4> middles;
@@ -231,11 +263,11 @@ std::int32_t ConfidenceMeter::measure(std::uint32_t t) {
   const bool all_grounded = !has_interior_ || !has_interior_vertex(complex_, t);
   Distances d = to_contours(complex_, shape_, t, p, all_grounded);
   if (!all_grounded) {
-    if (!contours_) contours_.emplace(complex_, shape_);
-    take_contours(*contours_, p, d);
+    if (!memory_.contours) memory_.contours.emplace(complex_, shape_);
+    take_contours(*memory_.contours, p, d);
   }
   find_near_faces(centroid, std::sqrt(farthest), reach_of(d));
-  for (const NearFace& near : near_) take_face(shape_.faces[near.face], sections_[near.face], p, d);
+  for (const NearFace& near : near_) take_face(shape_.faces[near.face], memory_.sections[near.face], p, d);
   return mean_of(d, all_grounded);
 }
 

@@ -35,6 +35,39 @@ class ContourEdges {
   BoxTree tree_;
 };
 
+/// Confidences by the names of their tetrahedra.
+class KnownConfidences {
+ public:
+  /// That of the name; where there is none yet, what measure() returns. Expected O(1).
+  template <class Measure>
+  std::int32_t get(const TetName& name, Measure measure) {
+    if (2 * count_ >= entries_.size()) grow();
+    Entry& entry = entries_[place_of(name)];
+    if (entry.name != name) entry = {name, measure()}, ++count_;
+    return entry.confidence;
+  }
+
+ private:
+  struct Entry {
+    TetName name{kNone, kNone, kNone, kNone};
+    std::int32_t confidence = 0;
+  };
+
+  std::size_t place_of(const TetName& name) const;
+  void grow();
+
+  std::vector<Entry> entries_;  ///< a power of two, half of them free
+  std::size_t count_ = 0;
+};
+
+/// What is the same for a cell however points inside divide it: its sections and contours, and the
+/// confidences of tetrahedra that stay. REQUIRES: such points come after all vertices.
+struct CellMemory {
+  std::vector<SectionRows> sections;     ///< by face
+  std::optional<ContourEdges> contours;  ///< once a tetrahedron has a vertex inside the cell
+  KnownConfidences known;
+};
+
 /// The mean over five points p of the tetrahedron (its centroid, 0.4, and the middles from there to its
 /// vertices, 0.15 each) of (d_out - d_in) / (d_out + d_in), where d_in is the distance to the sections and
 /// d_out that to the rest of the boundary: +kCertain on a section, -kCertain on the boundary outside.
@@ -45,10 +78,13 @@ class ContourEdges {
 /// external tetrahedra look surer than they are, and what divides them (interior_places.h) reckons with that.
 class ConfidenceMeter {
  public:
-  /// As section_rows().
+  /// As section_rows(), if the memory of the shape has no sections yet. Without one it has its own.
   ConfidenceMeter(const CellComplex& complex, const Ground& ground, const CellShape& shape);
+  ConfidenceMeter(const ConfidenceMeter&) = delete;
+  ConfidenceMeter& operator=(const ConfidenceMeter&) = delete;
 
-  /// O(faces), with a handful of questions to the sections. Not by two threads at once.
+  /// O(faces), with a handful of questions to the sections; O(1) once it is known. Not by two threads at
+  /// once.
   std::int32_t measure(std::uint32_t t);
 
  private:
@@ -57,13 +93,14 @@ class ConfidenceMeter {
     std::uint32_t face;
   };
 
+  std::int32_t measure_new(std::uint32_t t, const TetName& name);
   void find_near_faces(Vec3 centroid, double radius, double reach);
 
   const CellComplex& complex_;
   const CellShape& shape_;
-  std::vector<SectionRows> sections_;
-  bool has_interior_ = false;             ///< some vertex is inside the cell
-  std::optional<ContourEdges> contours_;  ///< once a tetrahedron has a vertex inside the cell
+  CellMemory own_;
+  CellMemory& memory_;
+  bool has_interior_ = false;  ///< some vertex is inside the cell
   double slack_ = 0;
   std::vector<NearFace> near_;  ///< of the tetrahedron that is measured
 };

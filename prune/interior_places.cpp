@@ -79,20 +79,26 @@ class LackingWays {
   }
 
  private:
-  /// Sections that R1 connects are one class, by its smallest ground triangle.
+  /// Sections that R1 connects are one class, by its smallest ground triangle. Once there is one no more is
+  /// asked.
   void connect() {
     std::vector<std::uint32_t> from(r1_.size(), kNone), stack;
-    const auto see = [&](std::uint32_t t, std::uint32_t g) {
+    std::uint32_t classes = ground_.part_count();
+    const auto see = [&](std::uint32_t t, std::uint32_t part) {
       if (r1_[t] == 0) return;
-      if (from[t] != kNone) return connected_.join(from[t], g);
-      from[t] = g;
-      stack.push_back(t);
+      if (from[t] == kNone) {
+        from[t] = part;
+        stack.push_back(t);
+      } else if (connected_.find(from[t]) != connected_.find(part)) {
+        connected_.join(from[t], part);
+        --classes;
+      }
     };
     for (std::uint32_t g = 0; g < ground_.size(); ++g) {
       connected_.join(g, ground_.part(g));
-      see(ground_.facet(g).tet, g);
+      if (classes > 1) see(ground_.facet(g).tet, ground_.part(g));
     }
-    while (!stack.empty()) {
+    while (classes > 1 && !stack.empty()) {
       const std::uint32_t t = stack.back();
       stack.pop_back();
       for (const std::uint32_t n : complex_.mesh.neighbours[t])

@@ -8,6 +8,7 @@
 #include "section_field.h"
 #include "smooth_function.h"
 #include "star.h"
+#include "widest_ways.h"
 
 namespace crossloft {
 namespace {
@@ -118,19 +119,23 @@ bool sees_sure_joins(std::span<const Join> possible, std::span<const Part> parts
     return false;
   };
   return std::all_of(possible.begin(), possible.end(),
-                     [&](const Join& j) { return j.confidence <= as_integer(kSurelyJoined) || is_seen(j); });
+                     [&](const Join& j) { return !is_sure(j.confidence) || is_seen(j); });
 }
 
 }  // namespace
 
 bool is_in_doubt(std::int32_t confidence) {
-  return confidence >= as_integer(kSurelyApart) && confidence <= as_integer(kSurelyJoined);
+  return confidence >= as_integer(kSurelyApart) && !is_sure(confidence);
 }
 
+bool is_sure(std::int32_t confidence) { return confidence > as_integer(kSurelyJoined); }
+
 std::optional<JoinPlan> plan_joins(const CellComplex& complex, const CellShape& shape, const Ground& ground,
-                                   const std::vector<std::uint8_t>& r1, const std::vector<std::uint8_t>& kept,
-                                   std::span<const std::int32_t> confidence) {
-  const std::vector<Join> possible = find_joins(complex, ground, r1, confidence);
+                                   const std::vector<std::uint8_t>& r1,
+                                   std::span<const std::uint32_t> body_in_r1,
+                                   const std::vector<std::uint8_t>& kept,
+                                   const std::function<std::int32_t(std::uint32_t)>& measure) {
+  const std::vector<Join> possible = find_widest_ways(complex, ground, r1, body_in_r1, measure);
   if (std::none_of(possible.begin(), possible.end(), [](const Join& j) { return is_in_doubt(j.confidence); }))
     return std::nullopt;
   const std::vector<Part> parts = list_parts(complex, ground);

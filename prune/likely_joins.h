@@ -6,6 +6,7 @@
 /// where it is clearly positive on a way between them.
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -18,8 +19,9 @@
 namespace crossloft {
 
 /// Whether a join with this confidence is in doubt. Of the joins that README.md counts, those with others
-/// need no second opinion.
+/// need no second opinion: they are sure, or surely refused.
 bool is_in_doubt(std::int32_t confidence);
+bool is_sure(std::int32_t confidence);
 
 /// What growth is to do otherwise.
 struct JoinPlan {
@@ -28,11 +30,13 @@ struct JoinPlan {
 };
 
 /// Nothing where no join is in doubt by its confidence, there are too many sections, the function is not
-/// determined or parts what is surely joined, or `kept` joins just the sections that it would. REQUIRES:
-/// confidences of all tetrahedra of R1; the shape has a field.
+/// determined or parts what is surely joined, or `kept` joins just the sections that it would. `measure` and
+/// `body_in_r1`: as in find_widest_ways(). REQUIRES: the shape has a field.
 /// Where joins are in doubt O(s^3 + n s) for s samples, and what these take; else O(n log n).
 std::optional<JoinPlan> plan_joins(const CellComplex& complex, const CellShape& shape, const Ground& ground,
-                                   const std::vector<std::uint8_t>& r1, const std::vector<std::uint8_t>& kept,
-                                   std::span<const std::int32_t> confidence);
+                                   const std::vector<std::uint8_t>& r1,
+                                   std::span<const std::uint32_t> body_in_r1,
+                                   const std::vector<std::uint8_t>& kept,
+                                   const std::function<std::int32_t(std::uint32_t)>& measure);
 
 }  // namespace crossloft

@@ -43,15 +43,15 @@ class NaturalPruning {
     if (report.before.bodies < report.before.sections)
       report.joins = find_widest_ways(complex_, ground_, result.kept, bodies.of_ground,
                                       [&](std::uint32_t t) { return confidence_of(t); });
-    const bool good = is_good(report, result.kept), doubts = may_doubt();
-    if (!good || doubts || !requests_.joined.empty() || !requests_.questions.empty()) measure_all(r1);
+    const bool good = is_good(report, result.kept);
+    std::vector<std::uint32_t> body_in_r1;
+    if (may_doubt()) body_in_r1 = bodies_of(r1, bodies);
+    const bool doubts = !body_in_r1.empty() && !is_surely_joined(bodies, body_in_r1, report.joins);
+    if (!good || !requests_.joined.empty()) measure_all(r1);
     const std::vector<std::uint8_t> cheapest = doubts ? result.kept : std::vector<std::uint8_t>{};
     if (!good) grow(result, limits_);
-    if (doubts) decide_joins(r1, cheapest, result);
+    if (doubts) decide_joins(r1, body_in_r1, cheapest, result);
     if (!requests_.joined.empty()) join_alone(r1, result);
-    if (!requests_.questions.empty())
-      result.answers =
-          SecondLook(complex_, ground_, r1, result.kept, confidence_).answer(requests_.questions);
     return result;
   }
 
@@ -92,11 +92,27 @@ class NaturalPruning {
            is_in_doubt(limits_.join) && ground_.part_count() > 1;
   }
 
+  /// Whether the bodies of a subset of R1 are all that R1 has, and surely joined: the best ways through R1
+  /// are no worse than those through the subset.
+  bool is_surely_joined(const CellBodies& bodies, const std::vector<std::uint32_t>& body_in_r1,
+                        std::span<const Join> joins) const {
+    return (joins.empty() || is_sure(joins.back().confidence)) && body_in_r1 == bodies.of_ground;
+  }
+
+  /// Bodies of R1 by ground triangle. Those of a subset that are one are so in R1.
+  std::vector<std::uint32_t> bodies_of(const std::vector<std::uint8_t>& r1, const CellBodies& subset) const {
+    const bool is_one = std::all_of(subset.of_ground.begin(), subset.of_ground.end(),
+                                    [](std::uint32_t body) { return body == 0; });
+    return is_one ? subset.of_ground : find_bodies(complex_, ground_, r1).of_ground;
+  }
+
   /// Joins in doubt by the sections around; growth starts again if that changes any.
-  void decide_joins(const std::vector<std::uint8_t>& r1, const std::vector<std::uint8_t>& cheapest,
-                    NaturalResult& result) const {
-    const auto plan = plan_joins(complex_, shape_, ground_, r1, result.kept, confidence_);
+  void decide_joins(const std::vector<std::uint8_t>& r1, std::span<const std::uint32_t> body_in_r1,
+                    const std::vector<std::uint8_t>& cheapest, NaturalResult& result) {
+    const auto plan = plan_joins(complex_, shape_, ground_, r1, body_in_r1, result.kept,
+                                 [&](std::uint32_t t) { return confidence_of(t); });
     if (!plan) return;
+    measure_all(r1);
     for (std::size_t t = 0; t < r1.size(); ++t) result.kept[t] = cheapest[t] | plan->likely[t];
     GrowthLimits limits = limits_;
     limits.wishes = plan->wishes;

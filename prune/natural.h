@@ -49,7 +49,6 @@ struct NaturalReport {
 /// What a cell is asked for beyond its options: by the user, and by what its neighbours have found.
 struct CellRequests {
   std::vector<JoinWish> wishes;
-  SecondThoughts questions;     ///< answered by the result, which they leave as it is
   std::vector<TetName> joined;  ///< bodies to be joined with what they most likely belong to
   std::vector<OpenRequest> opened;
 };
@@ -58,7 +57,6 @@ struct NaturalResult {
   std::vector<std::uint8_t> kept;
   std::uint32_t r2 = 0;  ///< tetrahedra that the cut leaves
   NaturalReport report;
-  Answers answers;
 };
 
 /// (1) Confidences of the tetrahedra of R1 (confidence.h). (2) The cheapest subset of R1 (energy.h). (3)

@@ -82,7 +82,6 @@ PruneResult prune(const CellComplex& complex, const Ground& ground, const CellSh
   result.r2 = natural.r2;
   result.r3 = count(result.kept);
   result.natural = std::move(natural.report);
-  result.answers = std::move(natural.answers);
   return result;
 }
 

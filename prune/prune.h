@@ -33,7 +33,6 @@ struct PruneResult {
   std::uint32_t r2 = 0;   ///< after Step 2: the largest solid subset (of the two-plane ones in `paper`);
                           ///< the cheapest solid in `natural`
   std::uint32_t r3 = 0;   ///< after Step 3: the solid; r2 in `joint`
-  Answers answers;        ///< `natural` only
   NaturalReport natural;  ///< but for the topology, filled in `natural` only
 };
 

@@ -5,7 +5,9 @@
 #include <utility>
 
 #include "../geom/disjoint_sets.h"
+#include "confidence.h"
 #include "contact.h"
+#include "prune.h"
 #include "star.h"
 
 namespace crossloft {
@@ -183,7 +185,8 @@ Way SecondLook::way_from(const TetName& body) const {
 }
 
 Way SecondLook::way_from(View& view, std::uint32_t start) const {
-  auto& [bodies, preference, names] = view;
+  Bodies& bodies = view.bodies;  // for clang 14 no lambda may take what is bound together with others
+  Preference& preference = view.preference;
   const std::uint32_t own = bodies.of_tet(start);
   if (!bodies.stands_on_one_part(own)) return {};
   std::vector<std::uint32_t> starts;
@@ -281,6 +284,16 @@ Answers SecondLook::answer(const SecondThoughts& questions) const {
     if (beyond_hull) parts.push_back({Opening::wide, kNone, false, 0, {}, {}});
   }
   return answers;
+}
+
+Answers answer_questions(const CellComplex& complex, const Ground& ground, const CellShape& shape,
+                         const std::vector<std::uint8_t>& kept, const SecondThoughts& questions) {
+  const std::vector<std::uint8_t> r1 = without_external(complex);
+  ConfidenceMeter meter(complex, ground, shape);
+  std::vector<std::int32_t> confidence(r1.size(), -kCertain);
+  for (std::uint32_t t = 0; t < r1.size(); ++t)
+    if (r1[t] != 0) confidence[t] = meter.measure(t);
+  return SecondLook(complex, ground, r1, kept, confidence).answer(questions);
 }
 
 }  // namespace crossloft

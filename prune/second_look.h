@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "cell_complex.h"
+#include "cell_shape.h"
 #include "ground.h"
 #include "joins.h"
 #include "outside.h"
@@ -80,5 +81,9 @@ class SecondLook {
   const std::vector<std::uint8_t>& kept_;
   std::span<const std::int32_t> confidence_;
 };
+
+/// What a cell with that solid answers. O(n log n) and a confidence for each tetrahedron of R1.
+Answers answer_questions(const CellComplex& complex, const Ground& ground, const CellShape& shape,
+                         const std::vector<std::uint8_t>& kept, const SecondThoughts& questions);
 
 }  // namespace crossloft

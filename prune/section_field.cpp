@@ -46,11 +46,12 @@ struct SectionField::Grid {
   double radius = 0, step = 0;
   std::vector<Place> places;
 
-  /// False once there are too many. Not beyond the ball nor near another place.
+  /// False once there are too many. Not beyond the ball nor near another place: most often that is one of the
+  /// last.
   bool add(Vec3 p, double gap, std::uint32_t plane) {
     const Vec3 d = p - centre;
     const bool fits =
-        dot(d, d) <= radius * radius && std::none_of(places.begin(), places.end(), [&](const Place& s) {
+        dot(d, d) <= radius * radius && std::none_of(places.rbegin(), places.rend(), [&](const Place& s) {
           const Vec3 e = p - s.at;
           return dot(e, e) < gap * gap;
         });

@@ -1,6 +1,9 @@
 #include "smooth_function.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstring>
 #include <utility>
 
 namespace crossloft {
@@ -15,6 +18,8 @@ double distance3(Vec3 p, Vec3 q) {
 
 /// Rows of equations, the right side last.
 struct LinearSystem {
+  static constexpr std::size_t kPanel = 8;  ///< rows that are taken off at a time
+
   std::size_t n;
   std::vector<double> rows;
 
@@ -28,19 +33,60 @@ struct LinearSystem {
     if (best != k) std::swap_ranges(row(k), row(k) + n + 1, row(best));
   }
 
+  /// Pivot k; in the rows below it the factor by which it is taken off comes into column k, and columns
+  /// before `end` are done. False if it is too small.
+  bool eliminate(std::size_t k, std::size_t end) {
+    constexpr double kSmallestPivot = 1e-11;
+    bring_pivot(k);
+    const double* from = row(k);
+    if (!(std::fabs(from[k]) > kSmallestPivot)) return false;
+    for (std::size_t i = k + 1; i < n; ++i) {
+      double* to = row(i);
+      to[k] /= from[k];
+      for (std::size_t j = k + 1; j < end; ++j) to[j] -= to[k] * from[j];
+    }
+    return true;
+  }
+
+  /// Takes rows `first` to first + kPanel off row i, in the columns from there on: in this order, as one by
+  /// one.
+  void take_panel(std::size_t first, std::size_t i) {
+    std::array<double, kPanel> factor;
+    for (std::size_t k = 0; k < kPanel; ++k) factor[k] = row(i)[first + k];
+    const double* from = row(first) + first + kPanel;
+    double* to = row(i) + first + kPanel;
+    const std::size_t width = n + 1, count = width - first - kPanel;
+    std::size_t j = 0;
+    for (; j + 2 <= count; j += 2) {
+      Pair x;
+      std::memcpy(&x, to + j, sizeof x);
+      for (std::size_t k = 0; k < kPanel; ++k) {
+        Pair y;
+        std::memcpy(&y, from + k * width + j, sizeof y);
+        x -= factor[k] * y;
+      }
+      std::memcpy(to + j, &x, sizeof x);
+    }
+    for (; j < count; ++j)
+      for (std::size_t k = 0; k < kPanel; ++k) to[j] -= factor[k] * from[k * width + j];
+  }
+
+  /// The rest of the panel's own rows, then all below: each row is read and written once for all of them.
+  void update_below(std::size_t first) {
+    const std::size_t end = first + kPanel;
+    for (std::size_t i = first + 1; i < end; ++i)
+      for (std::size_t k = first; k < i; ++k)
+        for (std::size_t j = end; j <= n; ++j) row(i)[j] -= row(i)[k] * row(k)[j];
+    for (std::size_t i = end; i < n; ++i) take_panel(first, i);
+  }
+
   /// Gauss, with the largest pivot of each column. Empty if one is too small.
   std::vector<double> solve() {
-    constexpr double kSmallestPivot = 1e-11;
-    for (std::size_t k = 0; k < n; ++k) {
-      bring_pivot(k);
-      const double* from = row(k);
-      if (!(std::fabs(from[k]) > kSmallestPivot)) return {};
-      for (std::size_t i = k + 1; i < n; ++i) {
-        double* to = row(i);
-        const double factor = to[k] / from[k];
-        if (factor == 0) continue;
-        for (std::size_t j = k + 1; j <= n; ++j) to[j] -= factor * from[j];
-      }
+    for (std::size_t first = 0; first < n; first += kPanel) {
+      const bool is_last = first + kPanel > n;
+      for (std::size_t k = first; k < std::min(first + kPanel, n); ++k)
+        if (!eliminate(k, is_last ? n + 1 : first + kPanel)) return {};
+      if (!is_last) update_below(first);
     }
     std::vector<double> x(n);
     for (std::size_t i = n; i-- > 0;) {

@@ -192,8 +192,10 @@ Result<Done> Pipeline::build(CellInHand& hand, CellState& state) const {
   if (hand.built.complex.mesh.size() == 0) return Done{};
   Stopwatch watch;
   hand.ground.emplace(hand.built.complex);
-  if (options_.mode == PruneMode::natural)
+  if (options_.mode == PruneMode::natural) {
     hand.shape = cell_shape(*arrangement_, hand.id, hand.ids, hand.built);
+    hand.shape.memory = &hand.memory;
+  }
   state.pruning_seconds += watch.lap();
   return Done{};
 }
@@ -207,6 +209,7 @@ Result<Done> Pipeline::prune_cell(CellId id, CellState& state) {
   if (!has_section(hand.faces)) return Done{};
   if (auto done = build(hand, state); !done) return done;
   if (hand.built.complex.mesh.size() == 0) return Done{};
+  if (!state.questions.empty()) return answer(hand, state);
   if (auto done = divide(hand, state); !done) return done;
   Stopwatch watch;
   // Joins in doubt wait for the points.
@@ -231,7 +234,6 @@ void Pipeline::take_pruned(const CellInHand& hand, PruneResult& pruned, CellStat
   report.tets_r3 = pruned.r3;
   report.bad_links = pruned.natural.after.bad_links;
   take_kept(cell, pruned.kept, state);
-  state.answers = by_final_numbers(std::move(pruned.answers), hand.ids, cell);
   if (options_.mode == PruneMode::natural) state.bridges = find_bridges(cell, *hand.ground, pruned.kept);
   // Natural may leave a section no more than a spike that no solid subset would have: it lacks samples even
   // so. Where natural is solid and covers all, so does the largest solid subset.

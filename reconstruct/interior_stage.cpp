@@ -11,6 +11,10 @@
 namespace crossloft {
 namespace {
 
+/// Ways between sections that are less sure are not divided: of those below hardly any ends as a join, and
+/// they took a seventh of a run.
+constexpr double kLeastOfWay = -0.3;
+
 /// A way that is divided may still lead along external edges; what is left of it is divided again.
 constexpr std::uint32_t kRounds = 3;
 
@@ -68,8 +72,9 @@ Result<Done> Pipeline::divide(CellInHand& hand, CellState& state) const {
   if (!points_may_come_ || !is_in(options_.natural.divide, hand.id)) return Done{};
   for (std::uint32_t round = 0; round < kRounds; ++round) {
     Stopwatch watch;
-    const std::vector<Vec3> places = interior_places(hand.built.complex, hand.shape, *hand.ground,
-                                                     as_integer(options_.natural.alone_confidence));
+    const double least = std::max(kLeastOfWay, options_.natural.alone_confidence);
+    const std::vector<Vec3> places =
+        interior_places(hand.built.complex, hand.shape, *hand.ground, as_integer(least));
     state.pruning_seconds += watch.lap();
     state.undivided = !places.empty() && samples_may_come_ && is_near_branching(hand.ids);
     if (places.empty() || state.undivided) return Done{};

@@ -13,6 +13,7 @@
 
 #include "../arrangement/data_box.h"
 #include "../geom/parallel.h"
+#include "../prune/confidence.h"
 #include "../prune/section_field.h"
 #include "branching.h"
 #include "bridges.h"
@@ -65,8 +66,9 @@ struct CellState {
   std::vector<std::array<std::uint32_t, 4>> partners;
   CellReport report;
   double delaunay_seconds = 0, pruning_seconds = 0;
-  CellRequests asked;  ///< of other than the user, by final numbers
-  Answers answers;     ///< to them, by final numbers and faces of the arrangement
+  CellRequests asked;        ///< of other than the user, by final numbers
+  SecondThoughts questions;  ///< by final numbers
+  Answers answers;           ///< to them, by final numbers and faces of the arrangement
   std::vector<std::array<std::uint32_t, 4>> bridge_tets;
   std::vector<GroundTriangle> bridge_ground;
   CellBridges bridges;  ///< mode natural
@@ -92,7 +94,8 @@ struct CellInHand {
   std::vector<CellFace> faces;
   BuiltCell built;
   std::optional<Ground> ground;
-  CellShape shape;  ///< mode natural
+  CellShape shape;    ///< mode natural
+  CellMemory memory;  ///< of the shape
 };
 
 /// The tetrahedra of all cells and what the cells know of their facets.
@@ -162,6 +165,7 @@ class Pipeline {
   Result<BuiltCell> triangulate(std::span<const CellFace> faces, CellState& state) const;
   Result<Done> build(CellInHand& hand, CellState& state) const;
   PruneResult prune_built(const CellInHand& hand, const CellRequests& asked) const;
+  Result<Done> answer(CellInHand& hand, CellState& state) const;
   void take_pruned(const CellInHand& hand, PruneResult& pruned, CellState& state);
   Result<Done> check_pruned(const BuiltCell& cell, const PruneResult& pruned) const;
   void report_topology(const BuiltCell& cell, const NaturalReport& natural, CellReport& report) const;

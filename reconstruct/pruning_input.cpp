@@ -31,6 +31,14 @@ std::vector<std::uint32_t> vertices_of(std::uint32_t plane, std::uint32_t contou
   return vertices;
 }
 
+/// Vertices by local numbers instead of final ones.
+template <std::size_t n>
+void to_local(const BuiltCell& cell, std::array<std::uint32_t, n>& name) {
+  for (std::uint32_t& v : name)
+    v = static_cast<std::uint32_t>(std::lower_bound(cell.vertices.begin(), cell.vertices.end(), v) -
+                                   cell.vertices.begin());
+}
+
 }  // namespace
 
 CellShape cell_shape(const Arrangement& arrangement, CellId id, std::span<const FaceId> faces,
@@ -61,18 +69,17 @@ SectionField section_field(const SectionGraph& graph) {
 }
 
 CellRequests by_local_numbers(CellRequests requests, const BuiltCell& cell) {
-  const auto translate = [&](auto& name) {
-    for (std::uint32_t& v : name)
-      v = static_cast<std::uint32_t>(std::lower_bound(cell.vertices.begin(), cell.vertices.end(), v) -
-                                     cell.vertices.begin());
-  };
-  for (auto& names : requests.questions.bodies)
-    for (TetName& name : names) translate(name);
-  for (auto& facets : requests.questions.cavities)
-    for (Triangle& facet : facets) translate(facet);
-  for (TetName& body : requests.joined) translate(body);
-  for (OpenRequest& open : requests.opened) translate(open.from), translate(open.to);
+  for (TetName& body : requests.joined) to_local(cell, body);
+  for (OpenRequest& open : requests.opened) to_local(cell, open.from), to_local(cell, open.to);
   return requests;
+}
+
+SecondThoughts by_local_numbers(SecondThoughts questions, const BuiltCell& cell) {
+  for (auto& names : questions.bodies)
+    for (TetName& name : names) to_local(cell, name);
+  for (auto& facets : questions.cavities)
+    for (Triangle& facet : facets) to_local(cell, facet);
+  return questions;
 }
 
 Answers by_final_numbers(Answers answers, std::span<const FaceId> faces, const BuiltCell& cell) {

@@ -23,6 +23,7 @@ CellShape cell_shape(const Arrangement& arrangement, CellId id, std::span<const 
 SectionField section_field(const SectionGraph& graph);
 
 /// Requests and questions by local vertices instead of final numbers.
+SecondThoughts by_local_numbers(SecondThoughts questions, const BuiltCell& cell);
 CellRequests by_local_numbers(CellRequests requests, const BuiltCell& cell);
 /// The other way around; faces by their numbers in the arrangement. `faces`: as in cell_shape.
 Answers by_final_numbers(Answers answers, std::span<const FaceId> faces, const BuiltCell& cell);

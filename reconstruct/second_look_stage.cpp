@@ -10,7 +10,9 @@
 
 #include "../geom/disjoint_sets.h"
 #include "../prune/confidence.h"
+#include "../prune/star.h"
 #include "pipeline.h"
+#include "pruning_input.h"
 
 namespace crossloft {
 namespace {
@@ -213,10 +215,10 @@ struct ToldOfAll {
 
 void put_questions(std::span<const Piece> pieces, std::vector<CellState>& cells) {
   for (const Piece& piece : pieces) {
-    for (const auto& [cell, names] : piece.bodies) cells[cell].asked.questions.bodies.push_back(names);
-    for (const auto& [cell, facets] : piece.cavities) cells[cell].asked.questions.cavities.push_back(facets);
+    for (const auto& [cell, names] : piece.bodies) cells[cell].questions.bodies.push_back(names);
+    for (const auto& [cell, facets] : piece.cavities) cells[cell].questions.cavities.push_back(facets);
   }
-  for (CellState& cell : cells) cell.due = !cell.asked.questions.empty();
+  for (CellState& cell : cells) cell.due = !cell.questions.empty();
 }
 
 /// The answers come in the order of the questions, those in the order of the pieces.
@@ -303,6 +305,20 @@ void request_openings(const ToldOfAll& told, std::span<const FaceTriangulation> 
       cells[wall.cell].asked.opened.push_back({wall.answer.from, wall.answer.to});
 }
 
+/// A cell's part of the solid in its triangulation made anew, which may have another order.
+std::vector<std::uint8_t> kept_in(const BuiltCell& cell, std::span<const std::array<std::uint32_t, 4>> tets) {
+  std::vector<TetName> names(tets.begin(), tets.end());
+  for (TetName& name : names) std::sort(name.begin(), name.end());
+  std::sort(names.begin(), names.end());
+  std::vector<std::uint8_t> kept(cell.complex.mesh.size(), 0);
+  for (std::uint32_t t = 0; t < kept.size(); ++t) {
+    TetName name = sorted_vertices(cell.complex.mesh, t);
+    for (std::uint32_t& v : name) v = cell.vertices[v];  // ascending too
+    kept[t] = std::binary_search(names.begin(), names.end(), name) ? 1 : 0;
+  }
+  return kept;
+}
+
 }  // namespace
 
 /// What of the solid so far the cells are to be asked about.
@@ -329,6 +345,18 @@ Result<std::vector<Piece>> Pipeline::find_pieces() {
   return pieces;
 }
 
+/// The cell stays as it is; its triangulation does too, as a request may follow.
+Result<Done> Pipeline::answer(CellInHand& hand, CellState& state) const {
+  Stopwatch watch;
+  const auto tets = std::span(tets_).subspan(state.first_tet, state.tet_count);
+  const SecondThoughts questions = by_local_numbers(state.questions, hand.built);
+  state.answers = by_final_numbers(
+      answer_questions(hand.built.complex, *hand.ground, hand.shape, kept_in(hand.built, tets), questions),
+      hand.ids, hand.built);
+  state.pruning_seconds += watch.lap();
+  return Done{};
+}
+
 /// Asks, decides, and lets the cells that have to change be pruned once more.
 Result<Done> Pipeline::look_again() {
   const auto pieces = find_pieces();
@@ -341,12 +369,11 @@ Result<Done> Pipeline::look_again() {
   request_openings(told, faces_, as_integer(options_.natural.cavity_confidence), cells_);
   bool changes = false;
   for (CellState& cell : cells_) {
-    cell.asked.questions = {};
+    cell.questions = {};
     cell.due = !cell.asked.joined.empty() || !cell.asked.opened.empty();
     changes |= cell.due;
+    if (!cell.due) cell.triangulation.reset();
   }
-  // Cells that were asked keep what they have now: the same tetrahedra, but perhaps in another order than in
-  // tets_, and what they know of their facets is in that.
   if (!changes) return Done{};
   glued_.reset();
   give_tets_back();

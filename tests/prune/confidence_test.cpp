@@ -158,6 +158,63 @@ TEST_CASE("random cells: a face more without section lowers, other faces' number
   CHECK(lowered > 100);
 }
 
+/// With a vertex inside tetrahedron t, which it divides into four.
+PlacedCell divided(PlacedCell cell, std::uint32_t t) {
+  CellComplex& c = cell.complex;
+  const auto v = c.mesh.vertices[t];
+  const auto neighbours = c.mesh.neighbours[t];
+  const auto facets = c.facets[t];
+  const auto edges = c.edges[t];
+  const std::array<std::uint32_t, 4> parts{t, c.mesh.size(), c.mesh.size() + 1, c.mesh.size() + 2};
+  for (std::uint32_t i = 0; i < 4; ++i) {
+    auto corners = v;
+    corners[i] = c.vertex_count;
+    auto around = parts;
+    around[i] = neighbours[i];
+    decltype(c.facets)::value_type kinds{};
+    kinds[i] = facets[i];
+    decltype(c.edges)::value_type edge_kinds{};
+    for (std::size_t e = 0; e < 6; ++e)
+      if (kEdgeSlots[e][0] != i && kEdgeSlots[e][1] != i) edge_kinds[e] = edges[e];
+    if (i > 0) {
+      c.mesh.vertices.push_back(corners), c.mesh.neighbours.push_back(around);
+      c.facets.push_back(kinds), c.edges.push_back(edge_kinds);
+    } else {
+      c.mesh.vertices[t] = corners, c.mesh.neighbours[t] = around;
+      c.facets[t] = kinds, c.edges[t] = edge_kinds;
+    }
+    if (neighbours[i] == kNone) continue;
+    for (std::uint32_t& back : c.mesh.neighbours[neighbours[i]])
+      if (back == t) back = parts[i] | 1U << 31;  // marked: t itself is a part
+  }
+  for (const std::uint32_t n : neighbours)
+    for (std::uint32_t i = 0; n != kNone && i < 4; ++i)
+      if (c.mesh.neighbours[n][i] != kNone) c.mesh.neighbours[n][i] &= ~(1U << 31);
+  ++c.vertex_count;
+  c.face_masks.resize(c.face_masks.size() + c.words, 0);
+  const auto& at = cell.shape.points;
+  cell.shape.points.push_back(0.25 * (at[v[0]] + at[v[1]] + at[v[2]] + at[v[3]]));
+  return cell;
+}
+
+TEST_CASE("random cells: with the memory of the cell before it was divided, as without") {
+  for (std::uint32_t seed = 400; seed < 440; ++seed) {
+    CAPTURE(seed);
+    PlacedCell cell = placed_cell(seed);
+    CellMemory memory;
+    for (std::uint32_t round = 0; round < 3; ++round) {
+      const Ground ground(cell.complex);
+      const Flags all(cell.complex.mesh.size(), 1);
+      cell.shape.memory = nullptr;
+      const std::vector<std::int32_t> without = confidences(cell.complex, cell.shape, all);
+      cell.shape.memory = &memory;
+      ConfidenceMeter meter(cell.complex, ground, cell.shape);
+      for (std::uint32_t t = 0; t < all.size(); ++t) CHECK(meter.measure(t) == without[t]);
+      cell = divided(cell, seed % cell.complex.mesh.size());
+    }
+  }
+}
+
 TEST_CASE("between two whole sections that are near it is certain, over none at all it is certain not") {
   // A prism of height 1 between triangles of size 1000, in three tetrahedra; its sides are far faces.
   const auto prism = [](const std::set<Triangle>& internal) {
