@@ -97,6 +97,7 @@ void Pipeline::number_inside_points() {
   const auto point = [&](const InsideName& n) -> const InsidePoint& {
     return cells_[n.cell].inside[n.position];
   };
+  if (names.empty()) return;
   std::sort(names.begin(), names.end(), [&](const InsideName& x, const InsideName& y) {
     const InsidePoint &p = point(x), &q = point(y);
     return p.round != q.round ? p.round < q.round : compare_lex(p.point, q.point) < 0;
