@@ -272,12 +272,10 @@ const PlaneSection* plane_at(const Sections& sections, std::uint32_t position) {
   return sections.part_of || position >= sections.planes.size() ? nullptr : &sections.planes[position];
 }
 
-Result<Bounds> extent_of_walls(const Sections& in) {
+Result<std::vector<WallSection>> walls_of(const Sections& in) {
   if (Result<Done> ok = check_numbers(in); !ok) return ok.error();
   std::vector<std::vector<std::uint32_t>> contours(in.planes.size());
-  auto collected = collect_all(in, contours, {});
-  if (!collected) return collected.error();
-  return extent_of(*collected);
+  return collect_all(in, contours, {});
 }
 
 void cancel_pairs(std::vector<WallEdge>& walls) {

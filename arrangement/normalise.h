@@ -34,9 +34,9 @@ struct NormalisedSections {
 Result<NormalisedSections> normalise(const Sections& sections, double plane_tolerance,
                                      const Context& context = {});
 
-/// The bounding box of the ends of all walls, for PartOf. Errors: those of numbers and of
-/// open contours. O(v log v).
-Result<Bounds> extent_of_walls(const Sections& sections);
+/// The walls of each plane, also of contours without area. Errors: those of numbers and of open contours.
+/// O(v log v).
+Result<std::vector<WallSection>> walls_of(const Sections& sections);
 
 /// The contours that have a wall, ascending.
 std::vector<std::uint32_t> contours_of(const std::vector<WallEdge>& walls);

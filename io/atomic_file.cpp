@@ -151,8 +151,9 @@ Result<Done> AtomicFile::move_to(AtomicFile& other, const std::function<bool()>&
 
 Result<Done> AtomicFile::commit() {
   errno = 0;
-  // Buffered bytes may meet a full disk only here.
-  if (std::fclose(std::exchange(file_, nullptr)) != 0 && !failed()) error_ = errno != 0 ? errno : EIO;
+  // Buffered bytes may meet a full disk only here. After a failure the file may have been closed before.
+  if (file_ != nullptr && std::fclose(std::exchange(file_, nullptr)) != 0 && !failed())
+    error_ = errno != 0 ? errno : EIO;
   std::error_code renamed;
   if (!failed() && !temporary_.empty()) fs::rename(temporary_, target_, renamed);
   if (!failed() && !renamed) {

@@ -29,7 +29,9 @@ class RandomFile {
     if (std::filesystem::is_directory(path, ignored)) return out.error("it is a directory");
     errno = 0;
     out.file_.reset(std::fopen(path.c_str(), "rb"));
-    if (!out.file_ || std::fseek(out.file_.get(), 0, SEEK_END) != 0) return out.error();
+    if (!out.file_) return out.error();
+    if (std::fseek(out.file_.get(), 0, SEEK_END) != 0)
+      return out.error(errno == ESPIPE ? "it is a pipe, and a stream reads its file more than once" : "");
     const long size = std::ftell(out.file_.get());
     if (size < 0) return out.error();
     out.size_ = static_cast<std::uint64_t>(size);

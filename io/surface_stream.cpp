@@ -29,6 +29,9 @@ struct SurfaceStream::Parts {
   AtomicFile vertices, triangles;  ///< the first one with the header becomes the target
   std::uint64_t vertex_count = 0, triangle_count = 0;
   std::string buffer;
+
+  Result<Done> take(std::span<const Vec3> points, std::span<const std::array<std::uint32_t, 3>> faces);
+  Result<Done> finish(const Context& context);
 };
 
 Result<SurfaceStream> SurfaceStream::create(const std::string& path) {
@@ -56,31 +59,38 @@ SurfaceStream::~SurfaceStream() = default;
 
 Result<Done> SurfaceStream::take(std::span<const Vec3> points,
                                  std::span<const std::array<std::uint32_t, 3>> triangles) {
-  constexpr std::size_t kPiece = 1 << 16;
-  Parts& parts = *parts_;
-  const auto spill = [&](AtomicFile& file, std::size_t least) {
-    if (parts.buffer.size() < least) return;
-    file.append(parts.buffer);
-    parts.buffer.clear();
-  };
-  for (const Vec3& p : points) parts.format->vertex(parts.buffer, p), spill(parts.vertices, kPiece);
-  spill(parts.vertices, 0);
-  for (const auto& t : triangles) parts.format->triangle(parts.buffer, t), spill(parts.triangles, kPiece);
-  spill(parts.triangles, 0);
-  parts.vertex_count += points.size();
-  parts.triangle_count += triangles.size();
-  // The reason of a failure is told by commit(); there is no use in going on.
-  if (parts.vertices.failed()) return parts.vertices.commit();
-  if (parts.triangles.failed()) return parts.triangles.commit();
-  return Done{};
+  return or_out_of_memory([&] { return parts_->take(points, triangles); });
 }
 
 Result<Done> SurfaceStream::finish(const Context& context) {
-  Parts& parts = *parts_;
-  parts.vertices.overwrite(padded_header(*parts.format, parts.vertex_count, parts.triangle_count));
-  const auto moved = parts.triangles.move_to(parts.vertices, [&] { return context.cancelled(); });
+  return or_out_of_memory([&] { return parts_->finish(context); });
+}
+
+Result<Done> SurfaceStream::Parts::take(std::span<const Vec3> points,
+                                        std::span<const std::array<std::uint32_t, 3>> faces) {
+  constexpr std::size_t kPiece = 1 << 16;
+  const auto spill = [&](AtomicFile& file, std::size_t least) {
+    if (buffer.size() < least) return;
+    file.append(buffer);
+    buffer.clear();
+  };
+  for (const Vec3& p : points) format->vertex(buffer, p), spill(vertices, kPiece);
+  spill(vertices, 0);
+  for (const auto& t : faces) format->triangle(buffer, t), spill(triangles, kPiece);
+  spill(triangles, 0);
+  vertex_count += points.size();
+  triangle_count += faces.size();
+  // The reason of a failure is told by commit(); there is no use in going on.
+  if (vertices.failed()) return vertices.commit();
+  if (triangles.failed()) return triangles.commit();
+  return Done{};
+}
+
+Result<Done> SurfaceStream::Parts::finish(const Context& context) {
+  vertices.overwrite(padded_header(*format, vertex_count, triangle_count));
+  const auto moved = triangles.move_to(vertices, [&] { return context.cancelled(); });
   if (!moved) return moved;
-  return parts.vertices.commit();
+  return vertices.commit();
 }
 
 }  // namespace crossloft

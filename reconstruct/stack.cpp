@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <set>
 
 #include "../geom/failing.h"
 #include "pipeline.h"
@@ -18,7 +19,7 @@ constexpr std::uint32_t kOverlap = 4;
 /// Seams that are tried, one after the other, as ways from where it was meant to be.
 constexpr std::int32_t kSeams[] = {0, 1, -1, 2, -2};
 
-/// A window with the ranks that it was made from.
+/// A window with the levels that it was made from.
 struct Part {
   Window window;
   std::uint32_t first = 0, last = 0;
@@ -57,12 +58,12 @@ class StackBuilder {
   }
 
   Result<Done> build() {
-    const auto ranks = window_ranks(planes_, options_.window_vertices, 2 * kOverlap);
-    auto part = reconstruct_part(0, ranks[1]);
-    for (std::size_t i = 1; i + 1 < ranks.size() && part; ++i) {
-      auto next = reconstruct_part(ranks[i], ranks[i + 1]);
+    const auto cuts = window_levels(planes_, options_.window_vertices, 2 * kOverlap);
+    auto part = reconstruct_part(0, cuts[1]);
+    for (std::size_t i = 1; i + 1 < cuts.size() && part; ++i) {
+      auto next = reconstruct_part(cuts[i], cuts[i + 1]);
       if (!next) return next.error();
-      if (auto seam = find_seam(part->window, next->window, ranks[i])) {
+      if (auto seam = find_seam(part->window, next->window, cuts[i])) {
         if (auto good = take(part->window, seam->position); !good) return good;
         seam_ = std::move(seam);
         part = std::move(next);
@@ -75,19 +76,19 @@ class StackBuilder {
 
   /// With its overlaps.
   Result<Part> reconstruct_part(std::uint32_t first, std::uint32_t last) {
-    const auto count = static_cast<std::uint32_t>(planes_.positions.size());
+    const std::uint32_t count = planes_.levels();
     return reconstruct_exactly(first < kOverlap ? 0 : first - kOverlap,
                                last + kOverlap > count ? count : last + kOverlap);
   }
 
   Result<Part> reconstruct_exactly(std::uint32_t first, std::uint32_t last) {
-    context_.report("slices", static_cast<double>(first) / static_cast<double>(planes_.positions.size()));
+    context_.report("slices", static_cast<double>(first) / planes_.levels());
     auto sections = read_part(source_, planes_, first, last);
     if (!sections) return sections.error();
     Options options = options_.options;
     std::erase_if(options.joins, [&](const JoinRequest& r) {
       const auto is_here = [&](std::uint32_t position) {
-        return position >= planes_.rank_of.size() || plane_at(*sections, position) != nullptr;
+        return position >= planes_.positions.size() || plane_at(*sections, position) != nullptr;
       };
       return !is_here(r.plane_a) || !is_here(r.plane_b);
     });
@@ -114,10 +115,10 @@ class StackBuilder {
                                         : static_cast<std::uint32_t>(found - window.planes.begin());
   }
 
-  std::optional<Seam> find_seam(const Window& below, const Window& above, std::uint32_t rank) const {
+  std::optional<Seam> find_seam(const Window& below, const Window& above, std::uint32_t level) const {
     for (const std::int32_t way : kSeams) {
-      const std::uint32_t position = planes_.positions[static_cast<std::uint32_t>(
-          static_cast<std::int32_t>(rank) + way)];
+      const std::uint32_t position =
+          planes_.level(static_cast<std::uint32_t>(static_cast<std::int32_t>(level) + way)).front();
       const std::uint32_t a = plane_in(below, position), b = plane_in(above, position);
       if (a == kNone || b == kNone) continue;
       Seam seam = make_seam(below, a);
@@ -166,9 +167,9 @@ class StackBuilder {
   }
 
   /// Neighbours say the same of planes that both have.
-  static void add_new(const std::vector<std::string>& from, std::vector<std::string>& to) {
+  void add_new(const std::vector<std::string>& from, std::vector<std::string>& to) {
     for (const std::string& text : from)
-      if (std::find(to.begin(), to.end(), text) == to.end()) to.push_back(text);
+      if (told_.insert(text).second) to.push_back(text);
   }
 
   void finish() {
@@ -201,6 +202,7 @@ class StackBuilder {
   StackPlanes planes_;
   std::optional<Stitcher> stitcher_;
   std::optional<Seam> seam_;  ///< up to which all has been handed on
+  std::set<std::string> told_;  ///< notes and warnings
   std::uint64_t crossing_pairs_left_ = 0, contacts_ = 0;
   StackReport report_;
 };

@@ -9,6 +9,10 @@
 namespace crossloft {
 namespace {
 
+/// Planes this near, as a fraction of the diagonal, are one level: twice what makes them one (frame_sections),
+/// so that no plane is parted.
+constexpr double kOneLevel = 2e-9;
+
 /// The normal as frames see it: parallel planes have the same one.
 struct Direction {
   LatticeVector quantised{};
@@ -24,8 +28,8 @@ Direction direction_of(const Vec3& normal) {
   return d;
 }
 
-/// Where the plane is along the direction: half way between the extreme vertices, as frames place it.
-double offset_along(const Vec3& unit, const PlaneSection& plane) {
+/// Where the plane is along the direction: half way between the extreme ends of walls, as frames place it.
+double offset_along(const Vec3& unit, const WallSection& plane) {
   if (plane.vertices.empty()) {
     const Vec3 n = plane.normal;
     return dot(unit, (-plane.offset / dot(n, n)) * n);
@@ -49,15 +53,15 @@ class Surveyor {
     const auto position = static_cast<std::uint32_t>(offsets_.size());
     Sections alone{name_, {}, PartOf{{position}, {}}};
     alone.planes.push_back(std::move(plane));
-    const auto extent = extent_of_walls(alone);
-    if (!extent) return extent.error();
+    const auto walls = walls_of(alone);
+    if (!walls) return walls.error();
     const PlaneSection& p = alone.planes[0];
     const Direction direction = direction_of(p.normal);
     if (!direction_) direction_ = direction;
     if (direction.quantised != direction_->quantised) return not_parallel(name_, p, position);
-    offsets_.push_back(offset_along(direction_->unit, p));
+    offsets_.push_back(offset_along(direction_->unit, walls->front()));
     out_.vertices.push_back(static_cast<std::uint32_t>(p.vertices.size()));
-    out_.extent.join(*extent);
+    out_.extent.join(bounds_of(walls->front().vertices));
     return Done{};
   }
 
@@ -65,12 +69,21 @@ class Surveyor {
     for (std::uint32_t p = 0; p < offsets_.size(); ++p) out_.positions.push_back(p);
     std::stable_sort(out_.positions.begin(), out_.positions.end(),
                      [&](std::uint32_t a, std::uint32_t b) { return offsets_[a] < offsets_[b]; });
-    out_.rank_of.resize(offsets_.size());
-    for (std::uint32_t r = 0; r < out_.positions.size(); ++r) out_.rank_of[out_.positions[r]] = r;
+    find_levels();
     return std::move(out_);
   }
 
  private:
+  void find_levels() {
+    const double near = kOneLevel * out_.extent.diagonal();
+    auto& positions = out_.positions;
+    for (std::uint32_t r = 0; r < positions.size(); ++r)
+      if (r == 0 || offsets_[positions[r]] - offsets_[positions[r - 1]] > near) out_.begin_of.push_back(r);
+    out_.begin_of.push_back(static_cast<std::uint32_t>(positions.size()));
+    for (std::uint32_t l = 0; l < out_.levels(); ++l)
+      std::sort(positions.begin() + out_.begin_of[l], positions.begin() + out_.begin_of[l + 1]);
+  }
+
   std::string name_;
   std::optional<Direction> direction_;
   std::vector<double> offsets_;
@@ -96,7 +109,7 @@ Result<StackPlanes> survey(SectionSource& source, const Context& context) {
 Result<Sections> read_part(SectionSource& source, const StackPlanes& planes, std::uint32_t first,
                            std::uint32_t last) {
   Sections part{source.name(), {}, PartOf{{}, planes.extent}};
-  for (std::uint32_t r = first; r < last; ++r) {
+  for (std::uint32_t r = planes.begin_of[first]; r < planes.begin_of[last]; ++r) {
     auto plane = source.read(planes.positions[r]);
     if (!plane) return plane.error();
     part.planes.push_back(std::move(plane).value());
@@ -105,19 +118,19 @@ Result<Sections> read_part(SectionSource& source, const StackPlanes& planes, std
   return part;
 }
 
-std::vector<std::uint32_t> window_ranks(const StackPlanes& planes, std::uint64_t vertices,
-                                        std::uint32_t least) {
-  const auto count = static_cast<std::uint32_t>(planes.positions.size());
-  std::vector<std::uint32_t> ranks{0};
+std::vector<std::uint32_t> window_levels(const StackPlanes& planes, std::uint64_t vertices,
+                                         std::uint32_t least) {
+  const std::uint32_t count = planes.levels();
+  std::vector<std::uint32_t> cuts{0};
   std::uint64_t sum = 0;
-  for (std::uint32_t r = 0; r < count; ++r) {
-    sum += planes.vertices[planes.positions[r]];
-    if (sum < vertices || r + 1 - ranks.back() < least || count - r - 1 < least) continue;
-    ranks.push_back(r + 1);
+  for (std::uint32_t l = 0; l < count; ++l) {
+    for (const std::uint32_t position : planes.level(l)) sum += planes.vertices[position];
+    if (sum < vertices || l + 1 - cuts.back() < least || count - l - 1 < least) continue;
+    cuts.push_back(l + 1);
     sum = 0;
   }
-  ranks.push_back(count);
-  return ranks;
+  cuts.push_back(count);
+  return cuts;
 }
 
 }  // namespace crossloft

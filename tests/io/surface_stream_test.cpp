@@ -2,8 +2,10 @@
 #include "../../io/surface_stream.h"
 
 #include <doctest/doctest.h>
+#include <sys/resource.h>
 
 #include <algorithm>
+#include <csignal>
 #include <filesystem>
 #include <string>
 
@@ -118,4 +120,26 @@ TEST_CASE("What can't be streamed to is an error") {
   CHECK(code_of(SurfaceStream::create(scratch.path("missing/s.ply"))) == ErrorCode::file_not_writable);
   fs::create_symlink("/dev/null", scratch.path("null.ply"));
   CHECK(code_of(SurfaceStream::create(scratch.path("null.ply"))) == ErrorCode::file_not_writable);
+}
+
+TEST_CASE("A failed write stays one, however often it is asked about") {
+  const Scratch scratch;
+  std::signal(SIGXFSZ, SIG_IGN);
+  rlimit before{};
+  REQUIRE(getrlimit(RLIMIT_FSIZE, &before) == 0);
+  const rlimit small{rlim_t{1} << 16, before.rlim_max};
+  const Surface surface = torus(1, 0.3, 200, 100);
+  {
+    auto stream = SurfaceStream::create(scratch.path("s.ply"));
+    REQUIRE(stream.ok());
+    REQUIRE(setrlimit(RLIMIT_FSIZE, &small) == 0);
+    const auto first = take(*stream, surface, 1), second = take(*stream, surface, 1);
+    const auto finished = stream->finish();
+    REQUIRE(setrlimit(RLIMIT_FSIZE, &before) == 0);
+    for (const auto* result : {&first, &second, &finished}) {
+      REQUIRE(!result->ok());
+      CHECK(result->error().code == ErrorCode::file_not_writable);
+    }
+  }
+  CHECK(scratch.files() == 0);
 }

@@ -205,7 +205,7 @@ TEST_CASE("One window is enough for a small stack, and windows hold what they ar
   for (const PlaneSection& plane : sections.planes) vertices += plane.vertices.size();
   CHECK(streamed(sections, {}, vertices).report.windows == 1);
   CHECK(streamed(sections, {}, vertices / 2).report.windows == 2);
-  CHECK(streamed(sections, {}, 1).report.windows == 6);
+  CHECK(streamed(sections, {}, 1).report.windows == 7);
 }
 
 TEST_CASE("Empty planes part the solid wherever windows end") {
@@ -235,6 +235,57 @@ TEST_CASE("Planes that are one, or almost one, are so in windows too") {
     sections.planes.back().offset += 1e-11;
   }
   check_streamed(sections);
+}
+
+TEST_CASE("Many planes in one place are one level, wherever windows end") {
+  const auto square = [](Sections& sections, double x, double z) {
+    PlaneSection& plane = sections.planes.emplace_back();
+    plane.normal = {0, 0, 1};
+    plane.offset = -z;
+    plane.vertices = {{x, 0, z}, {x + 6, 0, z}, {x + 6, 6, z}, {x, 6, z}};
+    for (std::uint32_t i = 0; i < 4; ++i) plane.edges.push_back({i, (i + 1) % 4, 1, 0, 0, 0});
+  };
+  Sections sections;
+  for (int z = 0; z < 16; ++z) square(sections, 0, z);
+  for (int i = 0; i < 24; ++i) square(sections, 20 * i, 16);
+  for (int z = 17; z < 40; ++z)
+    for (int i = 0; i < 24; ++i) square(sections, 20 * i, z);
+  Options options;
+  options.mode = PruneMode::joint;
+  options.branching.mode = Branching::off;
+  const auto whole = reconstruct(sections, options);
+  REQUIRE(whole.ok());
+  const Streamed parts = streamed(sections, options);
+  CHECK(triangles_of(parts.surface) == triangles_of(whole->surface));
+  CHECK(parts.report.windows == 5);
+}
+
+TEST_CASE("A vertex that no contour has does not say where its plane is") {
+  for (const bool is_empty : {false, true}) {
+    Sections sections = stack_of(genus2_solid(32), 60);
+    PlaneSection& plane = sections.planes[20];
+    if (is_empty) plane.edges.clear(), plane.vertices.clear();
+    plane.vertices.push_back({0, 0, 1000});
+    check_streamed(sections);
+  }
+}
+
+TEST_CASE("The box around all sections is that of a window, too") {
+  Sections sections;
+  for (int p = 0; p < 24; ++p) {
+    PlaneSection& plane = sections.planes.emplace_back();
+    const double z = p < 8 ? p : p < 16 ? p + 4 : p + 8;
+    plane.normal = {0, 0, 1};
+    plane.offset = -z;
+    if (p != 7 && p != 8 && p != 23) continue;
+    const double x = p == 23 ? -2 : 0;
+    plane.vertices = {{x, 0, z}, {x + 1, 0, z}, {x + 1, 1, z}, {x, 1, z}};
+    for (std::uint32_t i = 0; i < 4; ++i) plane.edges.push_back({i, (i + 1) % 4, 1, 0, 0, 0});
+  }
+  const auto whole = reconstruct(sections);
+  REQUIRE(whole.ok());
+  CHECK(whole->surface.triangles.size() == 12);
+  CHECK(triangles_of(streamed(sections).surface) == triangles_of(whole->surface));
 }
 
 TEST_CASE("Far from the origin coordinates are rounded, in windows as in the whole") {
