@@ -53,9 +53,13 @@ class RandomFile {
  private:
   Error error(const std::string& why = {}) const {
     const int code = errno != 0 ? errno : EIO;
-    return {ErrorCode::file_not_readable,
-            "cannot be read: " + (why.empty() ? std::error_code(code, std::generic_category()).message() : why),
-            path_, 0, kNone, kNone};
+    return {
+        ErrorCode::file_not_readable,
+        "cannot be read: " + (why.empty() ? std::error_code(code, std::generic_category()).message() : why),
+        path_,
+        0,
+        kNone,
+        kNone};
   }
 
   std::string path_;
@@ -87,7 +91,8 @@ class RecordReader {
       in.begin_at(place_.line);
       parse(in);
       const bool is_all = place_.offset + text_.size() >= file_.size();
-      const bool may_lack = in.offset() == text_.size() || (!in.ok() && in.error().code == ErrorCode::bad_count);
+      const bool may_lack =
+          in.offset() == text_.size() || (!in.ok() && in.error().code == ErrorCode::bad_count);
       if (may_lack && !is_all) continue;
       if (!in.ok()) return in.error();
       size_ = std::max<std::uint64_t>(kLeast, in.offset() + in.offset() / 2);
@@ -120,7 +125,8 @@ struct SectionFile::Index {
     if (auto good = records.next([&](TokenReader& in) { planes = grammar->header(in); }); !good) return good;
     for (std::uint32_t p = 0; p < planes; ++p) {
       if (context.cancelled()) return Error{ErrorCode::cancelled, "reading was cancelled", path, 0, p, kNone};
-      context.report("reading", static_cast<double>(records.place().offset) / static_cast<double>(file.size()));
+      context.report("reading",
+                     static_cast<double>(records.place().offset) / static_cast<double>(file.size()));
       places.push_back(records.place());
       ParsedPlane plane;
       const auto good = records.next([&](TokenReader& in) {

@@ -10,7 +10,8 @@ using Triangle = std::array<std::uint32_t, 3>;
 std::string ply_header(std::uint64_t vertices, std::uint64_t triangles, std::size_t padding) {
   std::string text = "ply\nformat binary_little_endian 1.0\ncomment Crossloft" + std::string(padding, ' ');
   append_decimal(text += "\nelement vertex ", vertices);
-  append_decimal(text += "\nproperty double x\nproperty double y\nproperty double z\nelement face ", triangles);
+  append_decimal(text += "\nproperty double x\nproperty double y\nproperty double z\nelement face ",
+                 triangles);
   return text += "\nproperty list uchar int vertex_indices\nend_header\n";
 }
 

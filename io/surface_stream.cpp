@@ -42,8 +42,12 @@ Result<SurfaceStream> SurfaceStream::create(const std::string& path) {
     auto vertices = AtomicFile::create(path);
     if (!vertices) return vertices.error();
     if (vertices->is_direct())
-      return Error{ErrorCode::file_not_writable, "a stream needs a regular file: its header is written last", path,
-                   0, kNone, kNone};
+      return Error{ErrorCode::file_not_writable,
+                   "a stream needs a regular file: its header is written last",
+                   path,
+                   0,
+                   kNone,
+                   kNone};
     auto triangles = AtomicFile::create(path);
     if (!triangles) return triangles.error();
     auto parts = std::make_unique<Parts>(

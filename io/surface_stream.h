@@ -11,10 +11,10 @@
 
 namespace crossloft {
 
-/// Writes `.ply`, `.obj` or `.off` as write_surface() does, but for a comment that fills the place kept for the
-/// numbers of vertices and triangles. Points go to the file beside the target, triangles to a second one; both
-/// become one at the end. The target appears whole or stays as it was. STL has no shared vertices to number:
-/// it is an error, as is a target that is no regular file.
+/// Writes `.ply`, `.obj` or `.off` as write_surface() does, but for a comment that fills the place kept for
+/// the numbers of vertices and triangles. Points go to the file beside the target, triangles to a second one;
+/// both become one at the end. The target appears whole or stays as it was. STL has no shared vertices to
+/// number: it is an error, as is a target that is no regular file.
 class SurfaceStream : public SurfaceSink {
  public:
   /// Errors: usage (extension), file_not_writable.

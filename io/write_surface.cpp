@@ -49,7 +49,8 @@ void write_stl(ByteWriter& out, const Surface& surface) {
 void write_numbered(ByteWriter& out, const SurfaceFormat& format, const Surface& surface) {
   out.text(format.header(surface.points.size(), surface.triangles.size(), 0));
   for (const Vec3& p : surface.points) out.from([&](std::string& bytes) { format.vertex(bytes, p); });
-  for (const Triangle& t : surface.triangles) out.from([&](std::string& bytes) { format.triangle(bytes, t); });
+  for (const Triangle& t : surface.triangles)
+    out.from([&](std::string& bytes) { format.triangle(bytes, t); });
 }
 
 /// All four formats are read by programs that number with 32 bit signed integers.

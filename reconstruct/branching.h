@@ -46,8 +46,8 @@ class BranchingCell {
   /// Samples are wanted over the holes of sections, too.
   void find_holes();
   /// Where only cells that lack something are looked at: whether the cell, pruned without samples, leaves a
-  /// section component bare, or a part of one that is bare on its other side too, or has holes that samples are
-  /// wanted over. Else true.
+  /// section component bare, or a part of one that is bare on its other side too, or has holes that samples
+  /// are wanted over. Else true.
   bool lacks_something() const;
   /// `draw_all`: also arcs on which, in mode automatic, no sample can be of use. REQUIRES: `triangulation`
   /// holds the vertices of the faces and has tetrahedra.
@@ -77,7 +77,7 @@ class BranchingCell {
   std::vector<std::uint8_t> bare_;  ///< by component: no triangle of it is covered in this cell
   std::vector<std::uint8_t> flat_;  ///< by component: a triangle of it is covered in neither of its cells
   std::uint32_t components_ = 0;
-  std::vector<std::array<std::uint32_t, 2>> hole_edges_;  ///< in holes of sections, positions in numbers_, sorted
+  std::vector<std::array<std::uint32_t, 2>> hole_edges_;  ///< positions in numbers_, sorted
 };
 
 /// Appends the samples of one side of a face to `all`, those of its other side or none. Where the two

@@ -220,7 +220,8 @@ Result<Done> Pipeline::prune_cell(CellId id, CellState& state) {
   report_topology(hand.built, pruned.natural, state.report);
   state.pruning_seconds += watch.lap();
   take_pruned(hand, pruned, state);
-  if (!may_take_samples(state, hand.faces) && !state.undivided && !state.lacks_roof) state.triangulation.reset();
+  if (!may_take_samples(state, hand.faces) && !state.undivided && !state.lacks_roof)
+    state.triangulation.reset();
   if (observer_) state.built = std::move(hand.built), state.pruned = std::move(pruned);
   return Done{};
 }

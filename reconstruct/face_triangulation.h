@@ -39,7 +39,7 @@ struct FaceTriangulation {
   }
 };
 
-/// The edges, local vertices a < b, that are in a hole of the section: outside, where contours are all around. O(n).
+/// The edges, local vertices a < b, in holes of the section: outside, where contours are all around. O(n).
 std::vector<std::array<std::uint32_t, 2>> edges_in_holes(const FaceTriangulation& face);
 
 /// What the triangulation of a face is made from.

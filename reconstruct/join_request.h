@@ -3,7 +3,9 @@
 
 #include <cstdint>
 
+#include "../arrangement/sections.h"
 #include "../geom/ids.h"
+#include "../geom/result.h"
 
 namespace crossloft {
 
@@ -16,5 +18,9 @@ struct JoinRequest {
   std::uint32_t plane_b = kNone, contour_b = kNone;
   bool join = true;
 };
+
+/// A request that names nothing would be passed over in silence. `section`: the plane at that position, null
+/// if there is none. Error: usage.
+Result<Done> check_named(const PlaneSection* section, std::uint32_t plane, std::uint32_t contour);
 
 }  // namespace crossloft

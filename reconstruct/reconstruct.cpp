@@ -23,9 +23,9 @@ Result<Done> check_natural(const NaturalOptions& options) {
   return Done{};
 }
 
-/// A request that names nothing would be passed over in silence.
-Result<Done> check_named(const Sections& sections, std::uint32_t plane, std::uint32_t contour) {
-  const PlaneSection* section = plane_at(sections, plane);
+}  // namespace
+
+Result<Done> check_named(const PlaneSection* section, std::uint32_t plane, std::uint32_t contour) {
   if (section == nullptr)
     return Error{ErrorCode::usage, "a request to join names a plane that is not there", {}, 0, plane,
                  contour};
@@ -40,8 +40,6 @@ Result<Done> check_named(const Sections& sections, std::uint32_t plane, std::uin
   return Done{};
 }
 
-}  // namespace
-
 Result<Done> Pipeline::check_options() const {
   for (const double tolerance : {options_.match_tolerance, options_.on_tolerance, options_.simplify,
                                  options_.thicken, options_.separation})
@@ -49,8 +47,8 @@ Result<Done> Pipeline::check_options() const {
       return make_error(ErrorCode::usage, "a tolerance is a fraction of the diagonal, between 0 and 1");
   if (auto good = check_natural(options_.natural); !good) return good;
   for (const JoinRequest& r : options_.joins) {
-    if (auto good = check_named(sections_, r.plane_a, r.contour_a); !good) return good;
-    if (auto good = check_named(sections_, r.plane_b, r.contour_b); !good) return good;
+    if (auto good = check_named(plane_at(sections_, r.plane_a), r.plane_a, r.contour_a); !good) return good;
+    if (auto good = check_named(plane_at(sections_, r.plane_b), r.plane_b, r.contour_b); !good) return good;
   }
   return Done{};
 }

@@ -25,8 +25,7 @@ std::vector<LinkEdge> links_on(const Window& window, std::uint32_t plane, bool a
     if (slab != (above ? plane + 1 : plane)) continue;
     const auto& v = window.surface.triangles[t];
     for (std::size_t i = 0; i < 3; ++i)
-      if (number[v[i]] != kNone)
-        links.push_back({number[v[i]], name(v[(i + 1) % 3]), name(v[(i + 2) % 3])});
+      if (number[v[i]] != kNone) links.push_back({number[v[i]], name(v[(i + 1) % 3]), name(v[(i + 2) % 3])});
   }
   return links;
 }

@@ -17,13 +17,13 @@ struct LinkEdge {
 
 /// The vertices of a surface in one plane, copies told apart, with the triangles below the plane.
 struct Seam {
-  std::uint32_t position = kNone;           ///< of its plane in the file
+  std::uint32_t position = kNone;  ///< of its plane in the file
   std::vector<Vec3> points;
   std::vector<LinkEdge> below;
 };
 
-/// The numbers of the surface's vertices in the plane, ascending: their order is geometry, so that two windows
-/// that agree have the same list.
+/// The numbers of the surface's vertices in the plane, ascending: their order is geometry, so that two
+/// windows that agree have the same list.
 std::vector<std::uint32_t> vertices_in(const Window& window, std::uint32_t plane);
 
 /// REQUIRES: plane < window.planes.size().

@@ -39,6 +39,7 @@ class StackBuilder {
     auto planes = survey(source_, context_);
     if (!planes) return planes.error();
     planes_ = std::move(planes).value();
+    if (auto good = check_joins(); !good) return good.error();
     stitcher_.emplace(sink_, planes_.extent.low);
     if (!planes_.extent.empty())
       if (auto good = build(); !good) return good.error();
@@ -51,9 +52,22 @@ class StackBuilder {
   Result<Done> check_options() const {
     const NaturalOptions& natural = options_.options.natural;
     if (natural.divide == InCells::all || natural.look_around == InCells::all)
-      return make_error(ErrorCode::usage,
-                        "points inside all cells and a look around in all cells need all planes at once: a stack "
-                        "that is streamed has them nowhere");
+      return make_error(
+          ErrorCode::usage,
+          "points inside all cells and a look around in all cells need all planes at once, which a "
+          "stream does not have");
+    return Done{};
+  }
+
+  /// Windows know no more than their own planes.
+  Result<Done> check_joins() {
+    for (const JoinRequest& r : options_.options.joins)
+      for (const auto& [position, contour] : {std::pair{r.plane_a, r.contour_a}, {r.plane_b, r.contour_b}}) {
+        if (position >= planes_.positions.size()) return check_named(nullptr, position, contour);
+        const auto plane = source_.read(position);
+        if (!plane) return plane.error();
+        if (auto good = check_named(&*plane, position, contour); !good) return good;
+      }
     return Done{};
   }
 
@@ -94,8 +108,21 @@ class StackBuilder {
     });
     auto window = reconstruct_window(*sections, options, quiet_);
     if (!window) return window.error();
+    if (auto good = check_order(*window); !good) return good.error();
     ++report_.windows;
     return Part{std::move(window).value(), first, last};
+  }
+
+  /// Frames put the planes in the survey's order. They do not where a contour that they drop is so far off
+  /// its plane that the survey has seen that elsewhere.
+  Result<Done> check_order(const Window& window) const {
+    for (std::size_t p = 1; p < window.planes.size(); ++p)
+      if (planes_.level_of[window.planes[p - 1]] > planes_.level_of[window.planes[p]])
+        return Error{
+            ErrorCode::off_plane, "its contours are not where the plane is: this stack can't be streamed",
+            source_.name(),       0,
+            window.planes[p],     kNone};
+    return Done{};
   }
 
   /// One window instead of two that fit nowhere. It has to fit what has been handed on already.
@@ -105,14 +132,14 @@ class StackBuilder {
     const std::uint32_t plane = plane_in(part->window, seam_->position);
     if (plane == kNone || !fits(*seam_, part->window, plane))
       return Error{ErrorCode::internal, "windows of the stack do not fit: it has to be reconstructed at once",
-                   source_.name(), 0, seam_->position, kNone};
+                   source_.name(),      0,
+                   seam_->position,     kNone};
     return part;
   }
 
   static std::uint32_t plane_in(const Window& window, std::uint32_t position) {
     const auto found = std::find(window.planes.begin(), window.planes.end(), position);
-    return found == window.planes.end() ? kNone
-                                        : static_cast<std::uint32_t>(found - window.planes.begin());
+    return found == window.planes.end() ? kNone : static_cast<std::uint32_t>(found - window.planes.begin());
   }
 
   std::optional<Seam> find_seam(const Window& below, const Window& above, std::uint32_t level) const {
@@ -181,7 +208,8 @@ class StackBuilder {
     report_.genus = totals.genus;
     report_.volume = totals.volume;
     if (report_.surface_triangles == 0)
-      report_.warnings.emplace_back("the surface is empty: no two sections face each other in neighbouring planes");
+      report_.warnings.emplace_back(
+          "the surface is empty: no two sections face each other in neighbouring planes");
     else if (report_.flat_regions != 0)
       report_.warnings.push_back(std::to_string(report_.flat_regions) +
                                  " section regions stay bare on both sides: the solid does not contain them");
@@ -201,8 +229,8 @@ class StackBuilder {
   SurfaceSink& sink_;
   StackPlanes planes_;
   std::optional<Stitcher> stitcher_;
-  std::optional<Seam> seam_;  ///< up to which all has been handed on
-  std::set<std::string> told_;  ///< notes and warnings
+  std::optional<Seam> seam_;    ///< up to which all has been handed on
+  std::set<std::string> told_;  ///< of notes and warnings
   std::uint64_t crossing_pairs_left_ = 0, contacts_ = 0;
   StackReport report_;
 };

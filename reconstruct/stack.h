@@ -2,9 +2,10 @@
 /// Stacks of parallel planes that are too many to be held at once: sections are read as they are needed, and
 /// the surface is handed on piece by piece.
 ///
-/// What memory holds grows with the vertices of a few planes, not with the stack. The stack is reconstructed in
-/// windows that overlap by a few planes, each with the frame of the whole; two neighbours are joined at a
-/// plane at which they agree about every triangle around every vertex, which is checked (README, "Streams").
+/// What memory holds grows with the vertices of a few planes, not with the stack, but for the figures of each
+/// plane and slab in the report. The stack is reconstructed in windows that overlap by a few planes, each
+/// with the frame of the whole; two neighbours are joined at a plane at which they agree about every triangle
+/// around every vertex, which is checked (README, "Streams").
 
 #include <array>
 #include <cstdint>
@@ -61,15 +62,16 @@ struct StackReport {
   std::vector<std::string> notes, warnings;
 };
 
-/// Reconstructs a stack. The surface is the one that reconstruct() makes of all planes at once, in another order
-/// of vertices and triangles, but that the second look (README) sees a window only: a cavity that is higher
-/// than what two windows share may be left closed.
+/// Reconstructs a stack. The surface is the one that reconstruct() makes of all planes at once, in another
+/// order of vertices and triangles, but that the second look (README) sees a window only: a cavity that is
+/// higher than what two windows share may be left closed.
 ///
 /// The result depends on the planes, their order in the file and window_vertices, not on the threads. Errors:
 /// usage for planes that are not parallel, with plane and line, and for options that ask all planes
 /// (NaturalOptions::divide and look_around = all); those of the source and the sink; those of reconstruct().
-/// Every plane is read twice, those between windows three times. O(n log n) for n vertices.
-Result<StackReport> reconstruct_stack(SectionSource& source, SurfaceSink& sink, const StackOptions& options = {},
-                                      const Context& context = {});
+/// Every plane is read twice, those between windows three times; more often only where windows do not fit and
+/// are united. O(n log n) for n vertices.
+Result<StackReport> reconstruct_stack(SectionSource& source, SurfaceSink& sink,
+                                      const StackOptions& options = {}, const Context& context = {});
 
 }  // namespace crossloft

@@ -9,8 +9,8 @@
 namespace crossloft {
 namespace {
 
-/// Planes this near, as a fraction of the diagonal, are one level: twice what makes them one (frame_sections),
-/// so that no plane is parted.
+/// Planes this near, as a fraction of the diagonal, are one level: twice what makes them one
+/// (frame_sections), so that no plane is parted.
 constexpr double kOneLevel = 2e-9;
 
 /// The normal as frames see it: parallel planes have the same one.
@@ -40,8 +40,12 @@ double offset_along(const Vec3& unit, const WallSection& plane) {
 }
 
 Error not_parallel(const std::string& file, const PlaneSection& plane, std::uint32_t position) {
-  return {ErrorCode::usage, "the plane is not parallel to plane 0: only a stack of parallel planes can be streamed",
-          file, plane.line, position, kNone};
+  return {ErrorCode::usage,
+          "the plane is not parallel to plane 0: only a stack of parallel planes can be streamed",
+          file,
+          plane.line,
+          position,
+          kNone};
 }
 
 /// Takes the planes one after the other.
@@ -80,8 +84,11 @@ class Surveyor {
     for (std::uint32_t r = 0; r < positions.size(); ++r)
       if (r == 0 || offsets_[positions[r]] - offsets_[positions[r - 1]] > near) out_.begin_of.push_back(r);
     out_.begin_of.push_back(static_cast<std::uint32_t>(positions.size()));
-    for (std::uint32_t l = 0; l < out_.levels(); ++l)
+    out_.level_of.resize(positions.size());
+    for (std::uint32_t l = 0; l < out_.levels(); ++l) {
+      for (const std::uint32_t position : out_.level(l)) out_.level_of[position] = l;
       std::sort(positions.begin() + out_.begin_of[l], positions.begin() + out_.begin_of[l + 1]);
+    }
   }
 
   std::string name_;
@@ -94,7 +101,8 @@ class Surveyor {
 
 Result<StackPlanes> survey(SectionSource& source, const Context& context) {
   const std::uint32_t count = source.plane_count();
-  if (count == 0) return Error{ErrorCode::no_plane, "there is no cutting plane", source.name(), 0, kNone, kNone};
+  if (count == 0)
+    return Error{ErrorCode::no_plane, "there is no cutting plane", source.name(), 0, kNone, kNone};
   Surveyor surveyor(source.name());
   for (std::uint32_t p = 0; p < count; ++p) {
     if (context.cancelled()) return make_error(ErrorCode::cancelled, "cancelled");

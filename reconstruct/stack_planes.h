@@ -14,8 +14,9 @@ struct StackPlanes {
   std::vector<std::uint32_t> positions;
   /// Where in `positions` each *level* begins, and the end of the last: planes that are one, or almost.
   std::vector<std::uint32_t> begin_of;
-  std::vector<std::uint32_t> vertices;   ///< by position
-  Bounds extent;                         ///< of all walls
+  std::vector<std::uint32_t> level_of;  ///< by position
+  std::vector<std::uint32_t> vertices;  ///< by position
+  Bounds extent;                        ///< of all walls
 
   std::uint32_t levels() const { return static_cast<std::uint32_t>(begin_of.size()) - 1; }
   std::span<const std::uint32_t> level(std::uint32_t l) const {

@@ -19,7 +19,8 @@ class Stitcher {
   Stitcher(SurfaceSink& sink, Vec3 origin) : sink_(sink), origin_(origin) {}
 
   /// Hands on what is above plane `lower` and below plane `upper` of the window; kNone: up to its end.
-  /// REQUIRES: `lower` is the `upper` of the last call. Errors: of the sink, too_large from 2^31 - 1 points on.
+  /// REQUIRES: `lower` is the `upper` of the last call. Errors: of the sink, too_large from 2^31 - 1 points
+  /// on.
   Result<Done> take(const Window& window, std::uint32_t lower, std::uint32_t upper);
 
   std::uint64_t points() const { return points_; }

@@ -1,8 +1,9 @@
 #pragma once
 /// A part of a stack of parallel planes, reconstructed by itself; internal to reconstruct/.
 ///
-/// A cell of a stack, its *slab*, lies between two planes, and what becomes of it depends on a few slabs above
-/// and below alone (README). So the surface of a part is that of the whole but for a few slabs at its ends.
+/// A cell of a stack, its *slab*, lies between two planes, and what becomes of it depends on a few slabs
+/// above and below alone (README). So the surface of a part is that of the whole but for a few slabs at its
+/// ends.
 
 #include <cstdint>
 #include <vector>
@@ -16,12 +17,14 @@ namespace crossloft {
 struct Window {
   Surface surface;
   Report report;
-  std::vector<std::uint32_t> planes;       ///< first position of each in the file
-  std::vector<std::uint32_t> vertex_plane; ///< by vertex of the surface: the plane that it came from, or kNone
+  std::vector<std::uint32_t> planes;  ///< first position of each in the file
+  std::vector<std::uint32_t>
+      vertex_plane;  ///< by vertex of the surface: the plane that it came from, or kNone
   std::vector<std::uint32_t> triangle_slab;
-  std::vector<std::uint32_t> cell_slab;    ///< by cell of the report
-  std::vector<std::uint32_t> slab_tets;    ///< by slab: tetrahedra of the solid
-  std::vector<std::string> framing_notes, framing_warnings;  ///< those of the report that are about single planes
+  std::vector<std::uint32_t> cell_slab;  ///< by cell of the report
+  std::vector<std::uint32_t> slab_tets;  ///< by slab: tetrahedra of the solid
+  std::vector<std::string> framing_notes,
+      framing_warnings;  ///< those of the report that are about single planes
 };
 
 /// REQUIRES: planes that are parallel, with `part_of`. Errors: as reconstruct().

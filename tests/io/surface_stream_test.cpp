@@ -25,10 +25,10 @@ namespace fs = std::filesystem;
 Result<Done> take(SurfaceStream& stream, const Surface& surface, std::size_t pieces) {
   std::vector<std::array<std::uint32_t, 3>> left = surface.triangles;
   for (std::size_t k = 0; k < pieces; ++k) {
-    const std::size_t begin = surface.points.size() * k / pieces, end = surface.points.size() * (k + 1) / pieces;
-    const auto later = std::stable_partition(left.begin(), left.end(), [&](const auto& t) {
-      return *std::max_element(t.begin(), t.end()) < end;
-    });
+    const std::size_t begin = surface.points.size() * k / pieces,
+                      end = surface.points.size() * (k + 1) / pieces;
+    const auto later = std::stable_partition(
+        left.begin(), left.end(), [&](const auto& t) { return *std::max_element(t.begin(), t.end()) < end; });
     const std::vector<std::array<std::uint32_t, 3>> now(left.begin(), later);
     left.erase(left.begin(), later);
     if (auto good = stream.take({surface.points.data() + begin, end - begin}, now); !good) return good;
@@ -69,7 +69,8 @@ TEST_CASE("But for blanks in the header the bytes are those of a file written at
     REQUIRE(take(*stream, surface, 1).ok());
     REQUIRE(stream->finish().ok());
     REQUIRE(write_surface(scratch.path("at_once_" + name), surface).ok());
-    std::string streamed = *read_file(scratch.path(name)), at_once = *read_file(scratch.path("at_once_" + name));
+    std::string streamed = *read_file(scratch.path(name)),
+                at_once = *read_file(scratch.path("at_once_" + name));
     const std::size_t blanks = streamed.size() - at_once.size();
     const std::size_t at = streamed.find(std::string(blanks, ' ') + "\n");
     REQUIRE(at != std::string::npos);
