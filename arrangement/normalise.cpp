@@ -134,8 +134,10 @@ Bounds extent_of(std::span<const WallSection> sections) {
   return extent;
 }
 
+/// Where nothing is left, what has been dropped tells the size.
 void measure(const Sections& in, NormalisedSections& out) {
-  out.extent = in.part_of ? in.part_of->extent : extent_of(out.sections);
+  const Bounds extent = in.part_of ? in.part_of->extent : extent_of(out.sections);
+  if (!extent.empty()) out.extent = extent;
   out.diagonal = out.extent.empty() ? 0 : safe_norm(out.extent.high - out.extent.low);
 }
 
