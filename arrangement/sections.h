@@ -40,7 +40,7 @@ struct PartOf {
 struct Sections {
   std::string source;                     ///< file name for messages, may be empty
   std::vector<PlaneSection> planes;       ///< in file order
-  std::optional<PartOf> part_of;          ///< if these are not all planes of the file
+  std::optional<PartOf> part_of = std::nullopt;  ///< if these are not all planes of the file
 };
 
 /// Where the file has the plane.
