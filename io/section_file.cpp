@@ -1,5 +1,6 @@
 #include "section_file.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <filesystem>

@@ -394,3 +394,27 @@ TEST_CASE("The sink's failure ends it") {
   CHECK(result.error().code == ErrorCode::file_not_writable);
   CHECK(full.calls == 1);
 }
+
+TEST_CASE("A contour that is dropped and is off its plane by more than a slice: refused, not left out") {
+  constexpr double kStep = 5e-4;
+  Sections sections;
+  for (std::uint32_t p = 0; p < 40; ++p) {
+    PlaneSection& plane = sections.planes.emplace_back();
+    const double z = kStep * p;
+    plane.normal = {0, 0, 1};
+    plane.offset = -z;
+    plane.vertices = {{0, 0, z}, {1, 0, z}, {1, 1, z}, {0, 1, z}};
+    for (std::uint32_t i = 0; i < 4; ++i) plane.edges.push_back({i, (i + 1) % 4, 1, 0, 0, 0});
+  }
+  PlaneSection& odd = sections.planes[20];
+  const double off = kStep * 20 + 2.4 * kStep;
+  odd.vertices.insert(odd.vertices.end(), {{0.25, 0.5, off}, {0.5, 0.5, off}, {0.375, 0.5, off}});
+  for (std::uint32_t i = 0; i < 3; ++i) odd.edges.push_back({4 + i, 4 + (i + 1) % 3, 1, 0, 1, 0});
+  CHECK(reconstruct(sections).ok());
+  Source source(sections);
+  Sink sink;
+  const auto result = reconstruct_stack(source, sink, {{}, 1});
+  REQUIRE(!result.ok());
+  CHECK(result.error().code == ErrorCode::off_plane);
+  CHECK((result.error().plane == 20 || result.error().plane == 21));
+}
