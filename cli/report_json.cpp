@@ -153,6 +153,7 @@ Json result_part(const Report& r) {
           {"crossing_pairs", r.crossing_pairs},
           {"crossing_pairs_left", r.crossing_pairs_left},
           {"mended_vertices", r.mended_vertices},
+          {"merged_vertices", r.merged_vertices},
           {"mending", r.mending},
           {"volume", r.volume},
           {"flat_area", r.flat_area},

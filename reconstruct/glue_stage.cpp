@@ -132,9 +132,11 @@ void Pipeline::mend(const GluedSurface& glued) {
   report.crossing_pairs = mending.found;
   report.crossing_pairs_left = mending.left;
   report.mended_vertices = mending.moved;
+  report.merged_vertices = mending.merged;
   report.mending = mending.largest;
-  if (mending.left != 0)
-    warn(std::to_string(mending.left) + " pairs of triangles cross after rounding and could not be mended");
+  if (mending.merged != 0)
+    warn(std::to_string(mending.merged) +
+         " vertices were merged with others, as triangles crossed after rounding: some have no area");
 }
 
 /// Moves vertices of the surface alone: the solid keeps its points, and the report its volume.

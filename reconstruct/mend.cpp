@@ -9,6 +9,7 @@
 #include "../geom/box_tree.h"
 #include "../geom/triangle_meeting.h"
 #include "lists.h"
+#include "merge_places.h"
 
 namespace crossloft {
 namespace {
@@ -40,6 +41,7 @@ class Mender {
         bad = find_bad();
       }
     result_.left = bad.size();
+    if (goes_on(bad)) result_.merged = merge_crossing_places(surface_, context_).merged;
     for (std::size_t v = 0; v < points_.size(); ++v) {
       if (points_[v] == written[v]) continue;
       ++result_.moved;

@@ -110,8 +110,9 @@ struct Report {
   std::uint32_t pinched_vertices = 0, pinched_edges = 0, split_edges = 0;
   std::uint64_t crossing_pairs =
       0;  ///< of triangles that crossed or overlapped when vertices had been rounded
-  std::uint64_t crossing_pairs_left = 0;  ///< those that no move could mend
+  std::uint64_t crossing_pairs_left = 0;  ///< those that no short move could mend
   std::uint32_t mended_vertices = 0;      ///< moved for that
+  std::uint32_t merged_vertices = 0;      ///< of these, at the places of others: triangles there have no area
   double mending = 0;                     ///< longest of these moves
   std::uint32_t vertex_copies = 0;        ///< vertices of the surface beyond one a point
   std::uint32_t separated_copies = 0;     ///< copies that moved away from the others

@@ -179,7 +179,7 @@ class StackBuilder {
       if (is_between(s)) report_.solid_tets += window.slab_tets[s];
     add_new(window.framing_notes, report_.notes);
     add_new(window.framing_warnings, report_.warnings);
-    crossing_pairs_left_ += from.crossing_pairs_left;
+    merged_vertices_ += from.merged_vertices;
     contacts_ += from.contacts;
   }
 
@@ -213,10 +213,10 @@ class StackBuilder {
     else if (report_.flat_regions != 0)
       report_.warnings.push_back(std::to_string(report_.flat_regions) +
                                  " section regions stay bare on both sides: the solid does not contain them");
-    if (crossing_pairs_left_ != 0)
-      report_.warnings.push_back(std::to_string(crossing_pairs_left_) +
-                                 " pairs of triangles cross after rounding and could not be mended; what two "
-                                 "windows share is counted twice");
+    if (merged_vertices_ != 0)
+      report_.warnings.push_back(std::to_string(merged_vertices_) +
+                                 " vertices were merged with others, as triangles crossed after rounding: "
+                                 "some have no area; what two windows share is counted twice");
     if (contacts_ != 0)
       report_.warnings.push_back(std::to_string(contacts_) +
                                  " pairs of triangles touch; what two windows share is counted twice");
@@ -231,7 +231,7 @@ class StackBuilder {
   std::optional<Stitcher> stitcher_;
   std::optional<Seam> seam_;    ///< up to which all has been handed on
   std::set<std::string> told_;  ///< of notes and warnings
-  std::uint64_t crossing_pairs_left_ = 0, contacts_ = 0;
+  std::uint64_t merged_vertices_ = 0, contacts_ = 0;
   StackReport report_;
 };
 

@@ -7,6 +7,7 @@
 #include "../reconstruct/result_hash.h"
 #include "../reconstruct/shuffled.h"
 #include "section_judge.h"
+#include "stream_judge.h"
 
 namespace crossloft::test {
 namespace {
@@ -48,15 +49,35 @@ std::string refused(const SectionSet& set, const Error& error) {
   return {};
 }
 
+/// How far a written point may be from its exact place, and be taken to be when it is projected: rounded, then
+/// mended.
+double rounding(const Reconstruction& r) {
+  double largest = 0;
+  const auto add = [&](const std::vector<Vec3>& points) {
+    for (const Vec3& p : points)
+      largest = std::max({largest, std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
+  };
+  add(r.surface.points);
+  for (const PlaneSection& plane : r.sections.planes) add(plane.vertices);
+  return 0x1p-50 * largest + r.report.mending;
+}
+
+double contour_length(const PlaneSection& plane) {
+  double sum = 0;
+  for (const ContourEdge& e : plane.edges) sum += norm(plane.vertices[e.a] - plane.vertices[e.b]);
+  return sum;
+}
+
 std::string surface_complaint(const Reconstruction& r, const CheckReport& check) {
   if (check.bad_coordinates != 0) return "a coordinate of the surface is no finite number";
   if (!check.closed()) return "the surface is not closed";
   if (!check.oriented()) return "the surface is not oriented";
   if (!check.manifold()) return "the surface is not a manifold";
-  const double unit = std::pow(r.report.diagonal, 3);
+  if (check.crossings + check.overlaps != 0)
+    return std::to_string(check.crossings + check.overlaps) + " pairs of triangles cross";
+  const double most = kVolumeTolerance * std::pow(r.report.diagonal, 3) + check.area * rounding(r);
   // Copies that were moved apart leave the tetrahedra where they were.
-  if (r.report.separated_copies == 0 &&
-      !(std::fabs(check.volume - r.report.volume) <= kVolumeTolerance * unit))
+  if (r.report.separated_copies == 0 && !(std::fabs(check.volume - r.report.volume) <= most))
     return "the surface has the volume " + number(check.volume) + ", the tetrahedra " +
            number(r.report.volume);
   return {};
@@ -67,8 +88,10 @@ std::string surface_complaint(const Reconstruction& r, const CheckReport& check)
 std::string section_complaint(const Reconstruction& r, const SectionJudge& judge) {
   if (!judge.complaint().empty()) return judge.complaint();
   const SectionCheck check = check_sections({}, r.sections);
-  const double most = kAreaTolerance * r.report.diagonal * r.report.diagonal;
+  const double area = kAreaTolerance * r.report.diagonal * r.report.diagonal;
+  const double rounded = rounding(r);
   for (std::size_t p = 0; p < check.planes.size(); ++p) {
+    const double most = area + rounded * contour_length(r.sections.planes[p]);
     const double reported = r.report.planes[p].flat_area;
     if (!(std::fabs(judge.flat_area[p] - reported) <= most))
       return "plane " + std::to_string(p) + ": an area of " + number(judge.flat_area[p]) + " is flat, " +
@@ -126,7 +149,7 @@ std::string plate_complaint(const SectionSet& set, const Report& report, const R
 }
 
 /// Of moves that were asked for.
-std::string separation_complaint(const SectionSet& set, const Reconstruction& r, const CheckReport& check) {
+std::string separation_complaint(const SectionSet& set, const Reconstruction& r) {
   const Report& report = r.report;
   if (set.options.separation == 0) return {};
   double largest = 0;
@@ -135,8 +158,6 @@ std::string separation_complaint(const SectionSet& set, const Reconstruction& r,
   // Places are rounded to the grid, and to doubles.
   const double most = set.options.separation * report.diagonal * (1 + 1e-9) + 0x1p-50 * largest;
   if (!(report.separation <= most)) return "copies moved further than asked";
-  if (report.contacts == 0 && check.crossings + check.overlaps != 0)
-    return "triangles cross, and none are said to touch";
   return {};
 }
 
@@ -152,11 +173,11 @@ std::optional<Reconstruction> judge_run(const SectionSet& set, SectionJudge& sec
   }
   verdict.empty = r->surface.triangles.empty();
   const CheckReport check = check_surface(r->surface);
-  verdict.crossings = check.crossings;
+  verdict.merged = r->report.merged_vertices != 0;
   verdict.broken = surface_complaint(*r, check);
   if (verdict.broken.empty()) verdict.broken = section_complaint(*r, sections);
   if (verdict.broken.empty()) verdict.broken = report_complaint(*r);
-  if (verdict.broken.empty()) verdict.broken = separation_complaint(set, *r, check);
+  if (verdict.broken.empty()) verdict.broken = separation_complaint(set, *r);
   if (verdict.broken.empty() && set.told_twice) verdict.broken = twice_complaint(set, *r);
   return std::move(r).value();
 }
@@ -193,7 +214,12 @@ Verdict judge(const SectionSet& set) {
   if (set.options.thicken > 0) return judge_with_plates(set);
   Verdict verdict;
   SectionJudge sections;
-  judge_run(set, sections, verdict);
+  const auto r = judge_run(set, sections, verdict);
+  if (!r || !verdict.broken.empty()) return verdict;
+  const StreamVerdict stream = judge_stream(set, *r);
+  verdict.broken = stream.broken;
+  verdict.stack = stream.stack;
+  verdict.unlike = stream.other;
   return verdict;
 }
 

@@ -1,11 +1,12 @@
 /// Random small section sets through the pipeline, each judged by all promises (promises.h).
 ///
 ///   stress [--count N] [--seed S] [--first K] [--threads T] [--keep FOLDER] [--mode
-///   natural|joint|paper|careful|thick]
+///   natural|joint|paper|careful|thick|far]
 ///
 /// Mode careful: natural, with points inside all cells, and joins in doubt decided by what is around in all.
 /// Mode thick: any of the three, with plates over what is flat, and some with all copies moved apart or as
 /// careful.
+/// Mode far: any of the three, moved away by 1e3 to 1e13 sizes, where rounding makes triangles cross.
 /// Input k of seed S is the same whatever the others are: --first K --count 1 repeats it. Broken promises are
 /// printed, with --keep also kept as FOLDER/S-K.bytes (an input of the fuzz target) and FOLDER/S-K.contour.
 /// Exit 1 if there was one.
@@ -13,6 +14,7 @@
 #include <atomic>
 #include <charconv>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -37,22 +39,24 @@ struct Arguments {
   std::uint64_t count = 2000, seed = 1, first = 0, threads = 1;
   std::string keep;
   std::optional<PruneMode> mode;
-  bool careful = false, thick = false;
+  bool careful = false, thick = false, far = false;
 };
 
 /// What was seen of one kind of set.
 struct Tally {
-  std::uint64_t inputs = 0, refused = 0, too_thin = 0, empty = 0, broken = 0, with_crossings = 0, outside = 0,
-                bare = 0;
+  std::uint64_t inputs = 0, refused = 0, too_thin = 0, empty = 0, broken = 0, merged = 0, outside = 0, bare = 0,
+                streamed = 0, unlike = 0;
   void add(const Verdict& v) {
     ++inputs;
     refused += v.error.has_value();
     too_thin += v.error == ErrorCode::too_thin;
     empty += v.empty;
     broken += !v.broken.empty();
-    with_crossings += v.crossings != 0;
+    merged += v.merged;
     outside += v.outside != 0;
     bare += v.bare;
+    streamed += v.stack;
+    unlike += v.unlike;
   }
 };
 
@@ -87,6 +91,7 @@ class Stress {
     if (arguments_.mode) set.options.mode = *arguments_.mode;
     if (arguments_.careful) set.options.natural.divide = set.options.natural.look_around = InCells::all;
     if (arguments_.thick) draw_plates(k, set.options);
+    if (arguments_.far) move_away(k, set);
     const auto begin = std::chrono::steady_clock::now();
     const Verdict verdict = judge(set);
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
@@ -109,6 +114,24 @@ class Stress {
     options.natural.look_around = source.one_in(4) ? InCells::all : InCells::automatic;
   }
 
+  /// Likewise. What is moved need not agree as before.
+  void move_away(std::uint64_t k, SectionSet& set) const {
+    const auto bytes = bytes_of(~arguments_.seed, k);
+    ByteSource source(bytes);
+    Bounds box;
+    for (const PlaneSection& plane : set.sections.planes)
+      for (const Vec3& v : plane.vertices) box.add(v);
+    if (box.empty()) return;
+    const double distance = box.diagonal() * std::pow(10, source.between(3, 13));
+    const auto along = [&] { return distance * source.between(-8, 8) / 7; };
+    const Vec3 by{along(), along(), along()};
+    for (PlaneSection& plane : set.sections.planes) {
+      for (Vec3& v : plane.vertices) v = v + by;
+      plane.offset -= dot(plane.normal, by);
+    }
+    set.consistent = false;
+  }
+
   void report(std::uint64_t k, const SectionSet& set, const Verdict& verdict, std::string_view bytes) const {
     std::printf("input %llu (%s, %s): %s\n", static_cast<unsigned long long>(k), set.kind,
                 name_of(set.options.mode), verdict.broken.c_str());
@@ -124,19 +147,20 @@ class Stress {
   static void print_line(const char* name, const Tally& t) {
     std::printf("%-10s", name);
     for (const std::uint64_t n :
-         {t.inputs, t.refused, t.too_thin, t.empty, t.with_crossings, t.outside, t.bare, t.broken})
+         {t.inputs, t.refused, t.too_thin, t.empty, t.merged, t.outside, t.bare, t.streamed, t.unlike,
+          t.broken})
       std::printf(" %9llu", static_cast<unsigned long long>(n));
     std::printf("\n");
   }
 
   bool print() const {
     Tally all;
-    std::printf("%-10s %9s %9s %9s %9s %9s %9s %9s %9s\n", "planes", "inputs", "refused", "too thin", "empty",
-                "crossings", "outside", "bare", "broken");
+    std::printf("%-10s %9s %9s %9s %9s %9s %9s %9s %9s %9s %9s\n", "planes", "inputs", "refused", "too thin", "empty",
+                "merged", "outside", "bare", "streamed", "unlike", "broken");
     for (const auto& [name, t] : tallies_) {
       print_line(name.c_str(), t);
       all.inputs += t.inputs, all.refused += t.refused, all.too_thin += t.too_thin, all.empty += t.empty;
-      all.with_crossings += t.with_crossings, all.outside += t.outside, all.bare += t.bare,
+      all.merged += t.merged, all.outside += t.outside, all.bare += t.bare, all.streamed += t.streamed, all.unlike += t.unlike,
           all.broken += t.broken;
     }
     print_line("all", all);
@@ -161,7 +185,8 @@ bool parse_mode(const std::string& name, Arguments& a) {
   a.careful = name == "careful";
   if (a.careful) a.mode = PruneMode::natural;
   a.thick = name == "thick";
-  if (a.thick) return true;
+  a.far = name == "far";
+  if (a.thick || a.far) return true;
   for (const PruneMode m : {PruneMode::natural, PruneMode::joint, PruneMode::paper})
     if (name == name_of(m)) a.mode = m;
   return a.mode.has_value();

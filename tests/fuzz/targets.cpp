@@ -16,6 +16,7 @@
 #include "../../io/write_diagram_svg.h"
 #include "../../io/write_sections.h"
 #include "promises.h"
+#include "stream_judge.h"
 
 namespace crossloft::test {
 namespace {
@@ -75,7 +76,8 @@ bool is_small(const Sections& sections) {
   return sections.planes.size() <= 8 && vertices <= 400;
 }
 
-std::string judge_sections(const Result<Sections>& sections, std::string_view bytes) {
+std::string judge_sections(const Result<Sections>& sections, std::string_view bytes, const char* extension) {
+  if (auto complaint = section_file_complaint(bytes, extension); !complaint.empty()) return complaint;
   if (!sections) return error_complaint(sections.error(), bytes);
   if (auto complaint = sections_complaint(*sections); !complaint.empty()) return complaint;
   if (auto complaint = again_complaint(*sections); !complaint.empty()) return complaint;
@@ -88,9 +90,11 @@ std::string judge_sections(const Result<Sections>& sections, std::string_view by
 }
 
 std::string judge_contour(std::string_view bytes) {
-  return judge_sections(parse_contour(bytes, kName), bytes);
+  return judge_sections(parse_contour(bytes, kName), bytes, ".contour");
 }
-std::string judge_csl(std::string_view bytes) { return judge_sections(parse_csl(bytes, kName), bytes); }
+std::string judge_csl(std::string_view bytes) {
+  return judge_sections(parse_csl(bytes, kName), bytes, ".csl");
+}
 
 template <class Simplices>
 std::string mesh_complaint(const std::vector<Vec3>& points, const Simplices& simplices) {
