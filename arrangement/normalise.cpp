@@ -1,8 +1,10 @@
 #include "normalise.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <set>
 #include <span>
 #include <tuple>
@@ -135,10 +137,9 @@ Bounds extent_of(std::span<const WallSection> sections) {
 }
 
 /// Where nothing is left, what has been dropped tells the size.
-void measure(const Sections& in, NormalisedSections& out) {
-  const Bounds extent = in.part_of ? in.part_of->extent : extent_of(out.sections);
+void measure(const Bounds& extent, NormalisedSections& out) {
   if (!extent.empty()) out.extent = extent;
-  out.diagonal = out.extent.empty() ? 0 : safe_norm(out.extent.high - out.extent.low);
+  out.diagonal = diagonal_of(out.extent);
 }
 
 /// The wall at a vertex that comes first in the file. REQUIRES: there is one.
@@ -173,13 +174,11 @@ Result<Done> check_distances(const Sections& in, std::uint32_t plane, WallSectio
 /// Some walls of a section, those of one contour.
 using Contour = std::span<const WallEdge* const>;
 
-/// What most contours are at first sight: three vertices of it are far from one line. Points within `width`
-/// of a line span triangles of less than 8 width diagonal, and roundings are far below the room that is left.
-bool is_surely_wide(const WallSection& s, Contour contour, double width, double diagonal) {
-  const Vec3 a = s.vertices[contour[0]->a], b = s.vertices[contour[contour.size() / 3]->a],
-             c = s.vertices[contour[contour.size() / 3 * 2]->a];
+/// Twice its area; 0 if it is too large to be told.
+double triangle_of(const WallSection& s, const std::array<std::uint32_t, 3>& vertices) {
+  const Vec3 a = s.vertices[vertices[0]], b = s.vertices[vertices[1]], c = s.vertices[vertices[2]];
   const double area = norm(cross(b - a, c - a));
-  return std::isfinite(area) && area > 100 * width * diagonal;
+  return std::isfinite(area) ? area : 0;
 }
 
 /// The vertices of a contour, ascending, once for each wall.
@@ -190,9 +189,12 @@ std::vector<std::uint32_t> ends_of(Contour contour) {
   return ends;
 }
 
-/// True iff the contour is closed and lies within `width` of one line.
-bool has_no_area(const WallSection& s, Contour contour, double width, double diagonal) {
-  if (is_surely_wide(s, contour, width, diagonal)) return false;
+/// True iff the contour is closed and lies so near to one line that it has no width.
+bool has_no_area(const WallSection& s, Contour contour, double diagonal) {
+  const std::size_t third = contour.size() / 3;
+  if (!may_be_flat(triangle_of(s, {contour[0]->a, contour[third]->a, contour[2 * third]->a}), diagonal))
+    return false;
+  const double width = kNoWidth * diagonal;
   std::vector<std::uint32_t> ends = ends_of(contour);
   for (std::size_t i = 0, next = 0; i < ends.size(); i = next) {
     while (next < ends.size() && ends[next] == ends[i]) ++next;
@@ -207,23 +209,6 @@ bool has_no_area(const WallSection& s, Contour contour, double width, double dia
   const Vec3 unit = {along.x / length, along.y / length, along.z / length};
   return std::all_of(ends.begin(), ends.end(),
                      [&](std::uint32_t v) { return safe_norm(cross(unit, s.vertices[v] - a)) <= width; });
-}
-
-void drop_flat_contours(WallSection& s, double width, double diagonal) {
-  std::vector<const WallEdge*> walls;
-  walls.reserve(s.walls.size());
-  for (const WallEdge& w : s.walls) walls.push_back(&w);
-  std::sort(walls.begin(), walls.end(), [](const WallEdge* x, const WallEdge* y) {
-    return x->contour != y->contour ? x->contour < y->contour : x < y;  // of one array: by place
-  });
-  std::vector<std::uint32_t> flat;  // ascending
-  for (std::size_t i = 0, next = 0; i < walls.size(); i = next) {
-    while (next < walls.size() && walls[next]->contour == walls[i]->contour) ++next;
-    if (has_no_area(s, {walls.data() + i, next - i}, width, diagonal)) flat.push_back(walls[i]->contour);
-  }
-  if (flat.empty()) return;
-  std::erase_if(s.walls,
-                [&](const WallEdge& w) { return std::binary_search(flat.begin(), flat.end(), w.contour); });
 }
 
 void warn_of_dropped(const std::vector<std::uint32_t>& before, const WallSection& s,
@@ -268,6 +253,53 @@ void note_materials(const Sections& in, std::vector<std::string>& notes) {
 
 }  // namespace
 
+double diagonal_of(const Bounds& box) { return box.empty() ? 0 : safe_norm(box.high - box.low); }
+
+void drop_flat(WallSection& s, double diagonal) {
+  std::vector<const WallEdge*> walls;
+  walls.reserve(s.walls.size());
+  for (const WallEdge& w : s.walls) walls.push_back(&w);
+  std::sort(walls.begin(), walls.end(), [](const WallEdge* x, const WallEdge* y) {
+    return x->contour != y->contour ? x->contour < y->contour : x < y;  // of one array: by place
+  });
+  std::vector<std::uint32_t> flat;  // ascending
+  for (std::size_t i = 0, next = 0; i < walls.size(); i = next) {
+    while (next < walls.size() && walls[next]->contour == walls[i]->contour) ++next;
+    if (has_no_area(s, {walls.data() + i, next - i}, diagonal)) flat.push_back(walls[i]->contour);
+  }
+  if (flat.empty()) return;
+  std::erase_if(s.walls,
+                [&](const WallEdge& w) { return std::binary_search(flat.begin(), flat.end(), w.contour); });
+  drop_isolated(s);
+}
+
+double least_triangle(const WallSection& s) {
+  struct Spread {
+    std::uint32_t first = kNone, far = kNone;
+    double length2 = -1, triangle = 0;
+  };
+  std::vector<Spread> spreads;
+  for (const WallEdge& w : s.walls) {
+    if (w.contour >= spreads.size()) spreads.resize(w.contour + std::size_t{1});
+    Spread& c = spreads[w.contour];
+    if (c.first == kNone) c.first = w.a;
+    const Vec3 along = s.vertices[w.b] - s.vertices[c.first];
+    if (const double l = dot(along, along); l > c.length2) c.length2 = l, c.far = w.b;
+  }
+  for (const WallEdge& w : s.walls) {
+    Spread& c = spreads[w.contour];
+    c.triangle = std::max(c.triangle, triangle_of(s, {c.first, c.far, w.b}));
+  }
+  double least = std::numeric_limits<double>::infinity();
+  for (const Spread& c : spreads)
+    if (c.first != kNone) least = std::min(least, c.triangle);
+  return least;
+}
+
+bool may_be_flat(double triangle, double diagonal) {
+  return !(triangle > 100 * kNoWidth * diagonal * diagonal);
+}
+
 const PlaneSection* plane_at(const Sections& sections, std::uint32_t position) {
   for (std::uint32_t i = 0; sections.part_of && i < sections.planes.size(); ++i)
     if (sections.part_of->positions[i] == position) return &sections.planes[i];
@@ -311,21 +343,20 @@ Result<NormalisedSections> normalise(const Sections& in, double plane_tolerance,
   auto collected = collect_all(in, contours, context);
   if (!collected) return collected.error();
   out.sections = std::move(collected).value();
-  measure(in, out);
+  measure(in.part_of ? in.part_of->extent : extent_of(out.sections), out);
   std::vector<std::vector<std::string>> warnings(in.planes.size());
   const auto checked = for_all(in.planes.size(), context, "sections", [&](std::size_t i) -> Result<Done> {
     WallSection& s = out.sections[i];
     const auto plane = static_cast<std::uint32_t>(i);
     if (Result<Done> ok = check_distances(in, plane, s, plane_tolerance * out.diagonal); !ok)
       return ok.error();
-    drop_flat_contours(s, kNoWidth * out.diagonal, out.diagonal);
-    drop_isolated(s);
+    drop_flat(s, out.diagonal);
     warn_of_dropped(contours[i], s, warnings[i]);
     return Done{};
   });
   if (!checked) return checked.error();
   for (const auto& list : warnings) out.warnings.insert(out.warnings.end(), list.begin(), list.end());
-  measure(in, out);  // without what has been dropped
+  measure(in.part_of ? in.part_of->wide : extent_of(out.sections), out);  // without what has been dropped
   return out;
 }
 

@@ -38,6 +38,21 @@ Result<NormalisedSections> normalise(const Sections& sections, double plane_tole
 /// O(v log v).
 Result<std::vector<WallSection>> walls_of(const Sections& sections);
 
+/// Of a box, without overflow of the squares; 0 if it is empty.
+double diagonal_of(const Bounds& box);
+
+/// Drops contours that have no area in data with this diagonal: those so near to one line that frames can't
+/// tell. O(w log w) for w walls.
+void drop_flat(WallSection& section, double diagonal);
+
+/// What most contours are told by at first sight: twice the area of a large triangle of its vertices, of
+/// the section's contours the least; infinity if there is none. O(w).
+double least_triangle(const WallSection& section);
+
+/// False if no contour of a section with that least triangle can be dropped: points within a width w of a line
+/// span triangles of less than 8 w diagonal, and roundings are far below the room that is left.
+bool may_be_flat(double least_triangle, double diagonal);
+
 /// The contours that have a wall, ascending.
 std::vector<std::uint32_t> contours_of(const std::vector<WallEdge>& walls);
 

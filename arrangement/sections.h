@@ -35,6 +35,7 @@ struct PlaneSection {
 struct PartOf {
   std::vector<std::uint32_t> positions;   ///< by plane of the part: its position in the file
   Bounds extent;                          ///< of all walls of the file, also of contours without area
+  Bounds wide = {};                       ///< of those that have one; if none has, of all
 };
 
 struct Sections {

@@ -19,6 +19,11 @@ using Pair = std::array<std::uint32_t, 2>;
 constexpr double kUlp = 0x1p-52;
 constexpr double kLongest = 1e-6;  ///< of the diagonal: a step, where the last place is not coarser still
 constexpr double kFewPlaces = 8;
+/// Pairs of triangles asked for moves: at least so many, and so many for each that was asked to find what
+/// crosses. Where thousands of needles run along one line, each move asks millions; a set in 5000 whose size is
+/// a millionth of its distance from the origin, or less, would take minutes.
+constexpr std::uint64_t kLeastEffort = 1U << 26;
+constexpr std::uint64_t kEffort = 2;
 
 class Mender {
  public:
@@ -32,6 +37,7 @@ class Mender {
     if (bad.empty()) return result_;
     const std::vector<Vec3> written = points_;
     list_umbrellas();
+    most_asked_ = asked_ + std::max(kLeastEffort, kEffort * asked_);
     const double place = last_place();
     const double longest = std::max(kLongest * bounds_of(points_).diagonal(), kFewPlaces * place);
     for (double reach = place; reach <= longest && goes_on(bad); reach *= 2)
@@ -41,7 +47,7 @@ class Mender {
         bad = find_bad();
       }
     result_.left = bad.size();
-    if (goes_on(bad)) result_.merged = merge_crossing_places(surface_, context_).merged;
+    if (!bad.empty() && !context_.cancelled()) result_.merged = merge_crossing_places(surface_, context_).merged;
     for (std::size_t v = 0; v < points_.size(); ++v) {
       if (points_[v] == written[v]) continue;
       ++result_.moved;
@@ -51,7 +57,8 @@ class Mender {
   }
 
  private:
-  bool goes_on(const std::vector<Pair>& bad) const { return !bad.empty() && !context_.cancelled(); }
+  bool goes_on(const std::vector<Pair>& bad) const { return !bad.empty() && has_time(); }
+  bool has_time() const { return asked_ < most_asked_ && !context_.cancelled(); }
 
   /// Of the largest coordinate; not 0.
   double last_place() const {
@@ -70,6 +77,7 @@ class Mender {
     return rounded_[c[0]] != 0 || rounded_[c[1]] != 0 || rounded_[c[2]] != 0;
   }
   bool is_bad(std::uint32_t s, std::uint32_t t) const {
+    ++asked_;
     return meeting(corners(s), corners(t)) != Meeting::none;
   }
 
@@ -121,7 +129,7 @@ class Mender {
     std::sort(vertices.begin(), vertices.end());
     vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
     for (const std::uint32_t v : vertices) {
-      if (context_.cancelled()) return;
+      if (!has_time()) return;
       const std::vector<std::uint32_t> copies = copies_of(v);
       if (!improve(tree, copies, reach) && copies.size() > 1) improve(tree, {v}, reach);
     }
@@ -147,12 +155,12 @@ class Mender {
     around.erase(std::unique(around.begin(), around.end()), around.end());
     const Vec3 from = points_[vertices[0]];
     Vec3 best = from;
-    std::size_t least = count_bad(tree, around);
+    std::size_t least = count_bad(tree, around, kAll);
     if (least == 0) return true;
     for (int i = 0; i < 27 && least != 0; ++i) {
       const Vec3 to = from + reach * Vec3{double(i % 3 - 1), double(i / 3 % 3 - 1), double(i / 9 - 1)};
       put(vertices, to);
-      const std::size_t found = count_bad(tree, around);
+      const std::size_t found = count_bad(tree, around, least);
       if (found < least) least = found, best = to;
     }
     put(vertices, best);
@@ -163,13 +171,18 @@ class Mender {
     for (const std::uint32_t v : vertices) points_[v] = place;
   }
 
-  /// Bad pairs with one of the triangles (ascending), and triangles of them without area.
-  std::size_t count_bad(const BoxTree& tree, const std::vector<std::uint32_t>& around) const {
+  static constexpr std::size_t kAll = static_cast<std::size_t>(-1);
+
+  /// Bad pairs with one of the triangles (ascending), and triangles of them without area; `enough` if there
+  /// are as many.
+  std::size_t count_bad(const BoxTree& tree, const std::vector<std::uint32_t>& around,
+                        std::size_t enough) const {
     std::size_t count = 0;
     for (const std::uint32_t t : around) {
+      if (count >= enough) return enough;
       count += collinear(corners(t)) ? 1U : 0U;
       tree.for_overlaps(bounds_of(corners(t)), [&](std::uint32_t s) {
-        if (s == t || (s < t && std::binary_search(around.begin(), around.end(), s))) return;
+        if (s == t || count >= enough || (s < t && std::binary_search(around.begin(), around.end(), s))) return;
         count += is_bad(s, t) ? 1U : 0U;
       });
     }
@@ -182,6 +195,8 @@ class Mender {
   std::span<const std::uint8_t> rounded_;
   const Context& context_;
   Lists umbrellas_;  ///< by vertex
+  mutable std::uint64_t asked_ = 0;  ///< pairs of triangles
+  std::uint64_t most_asked_ = 0;
   Mending result_;
 };
 

@@ -25,8 +25,8 @@ struct Mending {
 /// Finds pairs of triangles that cross or overlap and have a rounded vertex, and moves rounded vertices of
 /// them, copies of one point together or, where that does not help, one by one, to one of 26 places around
 /// where fewer pairs do: a unit in the last place of the largest coordinate away, twice as far where no move
-/// helps any more, and so on up to a millionth of the diagonal (or 8 units). What still crosses then is merged
-/// (merge_places.h). All exact on the double coordinates. Triangles without a rounded vertex are as exact as the solid, and do not cross.
+/// helps any more, and so on up to a millionth of the diagonal (or 8 units). What still crosses then, or after
+/// a bounded number of pairs has been asked, is merged (merge_places.h). All exact on the double coordinates. Triangles without a rounded vertex are as exact as the solid, and do not cross.
 ///
 /// `origins` as in GluedSurface, `rounded` by vertex. Expected O(n log n) for n triangles if few pairs cross;
 /// where many do, each round asks all triangles again. Stops early if cancelled. Source: our own.

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
+#include <map>
 #include <optional>
 #include <span>
 #include <tuple>
@@ -18,17 +18,20 @@ namespace {
 
 using Pair = std::array<std::uint32_t, 2>;
 
+/// Around more triangles than these it is not asked what a merge leaves: it would take too long.
+constexpr std::size_t kLargest = 100;
+constexpr std::size_t kUnknown = static_cast<std::size_t>(-1);
+
 /// Of all vertices at one place to another one.
 struct Merge {
   Vec3 from, to;
-  bool helps = false;  ///< fewer pairs cross
+  std::size_t more = 0;  ///< pairs that cross beyond those before, 0 if fewer do
   double length2 = 0;
 };
 
 /// By coordinates in the end: numbers depend on how the input is told.
 bool is_better(const Merge& a, const Merge& b) {
-  if (a.helps != b.helps) return a.helps;
-  return std::tie(a.length2, a.from, a.to) < std::tie(b.length2, b.from, b.to);
+  return std::tie(a.more, a.length2, a.from, a.to) < std::tie(b.more, b.length2, b.from, b.to);
 }
 
 class Merger {
@@ -39,9 +42,11 @@ class Merger {
   Merging run() {
     std::vector<Pair> bad = find_bad();
     result_.pairs = bad.size();
-    if (!bad.empty()) list_umbrellas();
+    if (bad.empty()) return result_;
+    list_umbrellas();
+    for (std::uint32_t v = 0; v < points_.size(); ++v) vertices_at_[points_[v]].push_back(v);
     merged_.assign(points_.size(), 0);
-    for (; !bad.empty() && !context_.cancelled(); bad = find_bad()) merge_round(bad);
+    for (; !bad.empty() && !context_.cancelled(); renew(bad)) merge_round(bad);
     result_.merged = static_cast<std::uint32_t>(std::count(merged_.begin(), merged_.end(), 1));
     return result_;
   }
@@ -63,11 +68,15 @@ class Merger {
     umbrellas_ = Lists(points_.size(), found);
   }
 
-  /// All pairs that cross, ascending, and the boxes of all triangles.
-  std::vector<Pair> find_bad() {
+  void build_tree() {
     std::vector<Bounds> boxes;
     for (std::uint32_t t = 0; t < surface_.triangles.size(); ++t) boxes.push_back(bounds_of(corners(t)));
     tree_.emplace(boxes);
+  }
+
+  /// All pairs that cross, ascending.
+  std::vector<Pair> find_bad() {
+    build_tree();
     std::vector<Pair> bad;
     tree_->for_pairs([&](std::uint32_t s, std::uint32_t t) {
       if (is_bad(s, t)) bad.push_back({std::min(s, t), std::max(s, t)});
@@ -76,47 +85,36 @@ class Merger {
     return bad;
   }
 
-  void sort_by_place() {
-    by_place_.resize(points_.size());
-    std::iota(by_place_.begin(), by_place_.end(), 0u);
-    std::sort(by_place_.begin(), by_place_.end(), [&](std::uint32_t a, std::uint32_t b) {
-      return std::tie(points_[a], a) < std::tie(points_[b], b);
-    });
+  /// After a round: of the pairs that crossed those stay that it did not touch.
+  void renew(std::vector<Pair>& bad) {
+    build_tree();
+    std::erase_if(bad, [&](const Pair& pair) { return touched_[pair[0]] != 0 || touched_[pair[1]] != 0; });
+    for (std::uint32_t t = 0; t < touched_.size(); ++t)
+      if (touched_[t] != 0)
+        tree_->for_overlaps(bounds_of(corners(t)), [&](std::uint32_t s) {
+          if (s == t || (s < t && touched_[s] != 0)) return;
+          if (is_bad(s, t)) bad.push_back({std::min(s, t), std::max(s, t)});
+        });
+    std::sort(bad.begin(), bad.end());
   }
 
-  /// One merge for each pair whose triangles no merge of this round has touched: of the places of their
-  /// corners all vertices are known.
   void merge_round(const std::vector<Pair>& bad) {
-    std::vector<std::uint8_t> touched(surface_.triangles.size(), 0);
-    sort_by_place();
+    touched_.assign(surface_.triangles.size(), 0);
     for (const auto& [s, t] : bad) {
-      if (touched[s] != 0 || touched[t] != 0 || context_.cancelled()) continue;
-      const Merge best = best_merge(s, t);
-      for (const Vec3& place : {best.from, best.to})
-        for (const std::uint32_t c : around(vertices_at(place))) touched[c] = 1;
-      const auto vertices = vertices_at(best.from);
-      for (const std::uint32_t v : vertices) merged_[v] = 1;
-      put(vertices, best.to);
+      if (context_.cancelled()) return;
+      if (is_bad(s, t)) merge(best_merge(s, t));
     }
   }
 
-  /// As sorted: while none of them has moved.
-  std::span<const std::uint32_t> vertices_at(const Vec3& place) const {
-    const auto first = std::lower_bound(by_place_.begin(), by_place_.end(), place,
-                                        [&](std::uint32_t v, const Vec3& p) { return points_[v] < p; });
-    auto last = first;
-    while (last != by_place_.end() && points_[*last] == place) ++last;
-    return {first, last};
-  }
-
-  /// Triangles of these vertices, ascending.
-  std::vector<std::uint32_t> around(std::span<const std::uint32_t> vertices) const {
-    std::vector<std::uint32_t> list;
-    for (const std::uint32_t v : vertices)
-      list.insert(list.end(), umbrellas_.of(v).begin(), umbrellas_.of(v).end());
-    std::sort(list.begin(), list.end());
-    list.erase(std::unique(list.begin(), list.end()), list.end());
-    return list;
+  void merge(const Merge& best) {
+    auto moving = std::move(vertices_at_.extract(best.from).mapped());
+    for (const std::uint32_t v : moving) {
+      points_[v] = best.to;
+      merged_[v] = 1;
+      for (const std::uint32_t t : umbrellas_.of(v)) touched_[t] = 1;
+    }
+    std::vector<std::uint32_t>& there = vertices_at_[best.to];
+    there.insert(there.end(), moving.begin(), moving.end());
   }
 
   /// Two triangles that cross have four places at least.
@@ -132,24 +130,34 @@ class Merger {
   }
 
   void try_merges(const Vec3& from, std::span<const Vec3> places, std::optional<Merge>& best) {
-    const auto vertices = vertices_at(from);
+    const std::vector<std::uint32_t>& vertices = vertices_at_[from];
     const std::vector<std::uint32_t> triangles = around(vertices);
     const std::size_t before = count_bad(triangles);
     for (const Vec3& to : places) {
       if (to == from) continue;
-      put(vertices, to);
-      const Merge merge{from, to, count_bad(triangles) < before, dot(to - from, to - from)};
+      for (const std::uint32_t v : vertices) points_[v] = to;
+      const std::size_t after = count_bad(triangles);
+      const std::size_t more = after == kUnknown ? kUnknown : after < before ? 0 : after - before + 1;
+      const Merge merge{from, to, more, dot(to - from, to - from)};
       if (!best || is_better(merge, *best)) best = merge;
     }
-    put(vertices, from);
+    for (const std::uint32_t v : vertices) points_[v] = from;
   }
 
-  void put(std::span<const std::uint32_t> vertices, const Vec3& place) {
-    for (const std::uint32_t v : vertices) points_[v] = place;
+  /// Triangles of these vertices, ascending.
+  std::vector<std::uint32_t> around(std::span<const std::uint32_t> vertices) const {
+    std::vector<std::uint32_t> list;
+    for (const std::uint32_t v : vertices)
+      list.insert(list.end(), umbrellas_.of(v).begin(), umbrellas_.of(v).end());
+    std::sort(list.begin(), list.end());
+    list.erase(std::unique(list.begin(), list.end()), list.end());
+    return list;
   }
 
-  /// Bad pairs with one of the triangles, which are ascending.
+  /// Bad pairs with one of the triangles, which are ascending; those that merges of this round have brought
+  /// near are not all seen.
   std::size_t count_bad(const std::vector<std::uint32_t>& triangles) const {
+    if (triangles.size() > kLargest) return kUnknown;
     std::size_t count = 0;
     for (std::size_t i = 0; i < triangles.size(); ++i) {
       const std::uint32_t t = triangles[i];
@@ -165,9 +173,10 @@ class Merger {
   std::vector<Vec3>& points_;
   const Context& context_;
   Lists umbrellas_;              ///< by vertex
-  std::optional<BoxTree> tree_;  ///< of this round: triangles that its merges touched have left their boxes
-  std::vector<std::uint32_t> by_place_;
-  std::vector<std::uint8_t> merged_;  ///< by vertex
+  std::optional<BoxTree> tree_;  ///< of the triangles before a round
+  std::map<Vec3, std::vector<std::uint32_t>> vertices_at_;
+  std::vector<std::uint8_t> touched_;  ///< by triangle, in this round
+  std::vector<std::uint8_t> merged_;   ///< by vertex
   Merging result_;
 };
 

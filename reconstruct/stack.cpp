@@ -113,15 +113,13 @@ class StackBuilder {
     return Part{std::move(window).value(), first, last};
   }
 
-  /// Frames put the planes in the survey's order. They do not where a contour that they drop is so far off
-  /// its plane that the survey has seen that elsewhere.
+  /// Frames put the planes in the survey's order.
   Result<Done> check_order(const Window& window) const {
     for (std::size_t p = 1; p < window.planes.size(); ++p)
       if (planes_.level_of[window.planes[p - 1]] > planes_.level_of[window.planes[p]])
-        return Error{
-            ErrorCode::off_plane, "its contours are not where the plane is: this stack can't be streamed",
-            source_.name(),       0,
-            window.planes[p],     kNone};
+        return Error{ErrorCode::internal, "the plane is not where the survey has it",
+                     source_.name(),      0,
+                     window.planes[p],    kNone};
     return Done{};
   }
 

@@ -1,6 +1,7 @@
 #include "stack_planes.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "../arrangement/normalise.h"
@@ -12,6 +13,9 @@ namespace {
 /// Planes this near, as a fraction of the diagonal, are one level: twice what makes them one
 /// (frame_sections), so that no plane is parted.
 constexpr double kOneLevel = 2e-9;
+/// And those this near, as a fraction of the largest coordinate: offsets are sums of three rounded products
+/// with a rounded unit vector, off by less than 8 units of 2^-53 of it, and so are differences by twice that.
+constexpr double kRounding = 0x1p-49;
 
 /// The normal as frames see it: parallel planes have the same one.
 struct Direction {
@@ -37,6 +41,13 @@ double offset_along(const Vec3& unit, const WallSection& plane) {
   double low = dot(unit, plane.vertices[0]), high = low;
   for (const Vec3& v : plane.vertices) low = std::min(low, dot(unit, v)), high = std::max(high, dot(unit, v));
   return low / 2 + high / 2;
+}
+
+double largest_coordinate(const Bounds& box) {
+  double largest = 0;
+  for (const Vec3& p : {box.low, box.high})
+    largest = std::max({largest, std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
+  return box.empty() ? 0 : largest;
 }
 
 Error not_parallel(const std::string& file, const PlaneSection& plane, std::uint32_t position) {
@@ -65,11 +76,36 @@ class Surveyor {
     if (direction.quantised != direction_->quantised) return not_parallel(name_, p, position);
     offsets_.push_back(offset_along(direction_->unit, walls->front()));
     out_.vertices.push_back(static_cast<std::uint32_t>(p.vertices.size()));
-    out_.extent.join(bounds_of(walls->front().vertices));
+    boxes_.push_back(bounds_of(walls->front().vertices));
+    triangles_.push_back(least_triangle(walls->front()));
+    out_.extent.join(boxes_.back());
+    return Done{};
+  }
+
+  /// Planes, of all that have been taken, with contours that frames may drop: now that the size is known.
+  std::vector<std::uint32_t> in_doubt() const {
+    std::vector<std::uint32_t> list;
+    for (std::uint32_t p = 0; p < triangles_.size(); ++p)
+      if (may_be_flat(triangles_[p], diagonal_of(out_.extent))) list.push_back(p);
+    return list;
+  }
+
+  /// One of those, without what is dropped.
+  Result<Done> take_again(std::uint32_t position, PlaneSection plane) {
+    Sections alone{name_, {}, PartOf{{position}, {}}};
+    alone.planes.push_back(std::move(plane));
+    auto walls = walls_of(alone);
+    if (!walls) return walls.error();
+    WallSection& section = walls->front();
+    drop_flat(section, diagonal_of(out_.extent));
+    offsets_[position] = offset_along(direction_->unit, section);
+    boxes_[position] = bounds_of(section.vertices);
     return Done{};
   }
 
   StackPlanes finish() {
+    for (const Bounds& box : boxes_) out_.wide.join(box);
+    if (out_.wide.empty()) out_.wide = out_.extent;
     for (std::uint32_t p = 0; p < offsets_.size(); ++p) out_.positions.push_back(p);
     std::stable_sort(out_.positions.begin(), out_.positions.end(),
                      [&](std::uint32_t a, std::uint32_t b) { return offsets_[a] < offsets_[b]; });
@@ -79,7 +115,7 @@ class Surveyor {
 
  private:
   void find_levels() {
-    const double near = kOneLevel * out_.extent.diagonal();
+    const double near = kOneLevel * out_.wide.diagonal() + kRounding * largest_coordinate(out_.extent);
     auto& positions = out_.positions;
     for (std::uint32_t r = 0; r < positions.size(); ++r)
       if (r == 0 || offsets_[positions[r]] - offsets_[positions[r - 1]] > near) out_.begin_of.push_back(r);
@@ -93,7 +129,8 @@ class Surveyor {
 
   std::string name_;
   std::optional<Direction> direction_;
-  std::vector<double> offsets_;
+  std::vector<double> offsets_, triangles_;
+  std::vector<Bounds> boxes_;
   StackPlanes out_;
 };
 
@@ -111,12 +148,17 @@ Result<StackPlanes> survey(SectionSource& source, const Context& context) {
     if (!plane) return plane.error();
     if (auto good = surveyor.take(std::move(plane).value()); !good) return good.error();
   }
+  for (const std::uint32_t p : surveyor.in_doubt()) {
+    auto plane = source.read(p);
+    if (!plane) return plane.error();
+    if (auto good = surveyor.take_again(p, std::move(plane).value()); !good) return good.error();
+  }
   return surveyor.finish();
 }
 
 Result<Sections> read_part(SectionSource& source, const StackPlanes& planes, std::uint32_t first,
                            std::uint32_t last) {
-  Sections part{source.name(), {}, PartOf{{}, planes.extent}};
+  Sections part{source.name(), {}, PartOf{{}, planes.extent, planes.wide}};
   for (std::uint32_t r = planes.begin_of[first]; r < planes.begin_of[last]; ++r) {
     auto plane = source.read(planes.positions[r]);
     if (!plane) return plane.error();

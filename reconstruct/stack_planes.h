@@ -16,7 +16,7 @@ struct StackPlanes {
   std::vector<std::uint32_t> begin_of;
   std::vector<std::uint32_t> level_of;  ///< by position
   std::vector<std::uint32_t> vertices;  ///< by position
-  Bounds extent;                        ///< of all walls
+  Bounds extent, wide;                  ///< of all walls, of those of contours with area (PartOf)
 
   std::uint32_t levels() const { return static_cast<std::uint32_t>(begin_of.size()) - 1; }
   std::span<const std::uint32_t> level(std::uint32_t l) const {
@@ -24,7 +24,7 @@ struct StackPlanes {
   }
 };
 
-/// Reads every plane once. Errors: those of the source, those of numbers and of contours that are not closed,
+/// Reads every plane once, those with contours that may have no area twice. Errors: those of the source, those of numbers and of contours that are not closed,
 /// and usage if a plane is not parallel to the first.
 Result<StackPlanes> survey(SectionSource& source, const Context& context);
 

@@ -100,10 +100,8 @@ StreamVerdict judge_stream(const SectionSet& set, const Reconstruction& at_once)
   context.threads = set.threads;
   const auto report = reconstruct_stack(source, sink, {set.options, 1}, context);
   if (!report) {
-    // Planes that are not parallel; off_plane as reconstruct/stack.h says.
-    const bool may_refuse =
-        report.error().code == ErrorCode::usage || report.error().code == ErrorCode::off_plane;
-    return {may_refuse ? "" : "refused as a stream: " + to_string(report.error()), false, false};
+    const bool not_parallel = report.error().code == ErrorCode::usage;
+    return {not_parallel ? "" : "refused as a stream: " + to_string(report.error()), false, false};
   }
   StreamVerdict verdict;
   verdict.stack = true;
