@@ -278,21 +278,24 @@ double least_triangle(const WallSection& s) {
     std::uint32_t first = kNone, far = kNone;
     double length2 = -1, triangle = 0;
   };
-  std::vector<Spread> spreads;
+  const std::vector<std::uint32_t> contours = contours_of(s.walls);
+  std::vector<Spread> spreads(contours.size());
+  const auto spread_of = [&](const WallEdge& w) -> Spread& {
+    return spreads[static_cast<std::size_t>(
+        std::lower_bound(contours.begin(), contours.end(), w.contour) - contours.begin())];
+  };
   for (const WallEdge& w : s.walls) {
-    if (w.contour >= spreads.size()) spreads.resize(w.contour + std::size_t{1});
-    Spread& c = spreads[w.contour];
+    Spread& c = spread_of(w);
     if (c.first == kNone) c.first = w.a;
     const Vec3 along = s.vertices[w.b] - s.vertices[c.first];
     if (const double l = dot(along, along); l > c.length2) c.length2 = l, c.far = w.b;
   }
   for (const WallEdge& w : s.walls) {
-    Spread& c = spreads[w.contour];
+    Spread& c = spread_of(w);
     c.triangle = std::max(c.triangle, triangle_of(s, {c.first, c.far, w.b}));
   }
   double least = std::numeric_limits<double>::infinity();
-  for (const Spread& c : spreads)
-    if (c.first != kNone) least = std::min(least, c.triangle);
+  for (const Spread& c : spreads) least = std::min(least, c.triangle);
   return least;
 }
 

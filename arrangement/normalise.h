@@ -46,7 +46,7 @@ double diagonal_of(const Bounds& box);
 void drop_flat(WallSection& section, double diagonal);
 
 /// What most contours are told by at first sight: twice the area of a large triangle of its vertices, of
-/// the section's contours the least; infinity if there is none. O(w).
+/// the section's contours the least; infinity if there is none. O(w log w).
 double least_triangle(const WallSection& section);
 
 /// False if no contour of a section with that least triangle can be dropped: points within a width w of a line
