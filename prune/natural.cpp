@@ -47,7 +47,7 @@ class NaturalPruning {
     std::vector<std::uint32_t> body_in_r1;
     if (may_doubt()) body_in_r1 = bodies_of(r1, bodies);
     const bool doubts = !body_in_r1.empty() && !is_surely_joined(bodies, body_in_r1, report.joins);
-    if (!good || !requests_.joined.empty()) measure_all(r1);
+    if (!good) measure_all(r1);
     const std::vector<std::uint8_t> cheapest = doubts ? result.kept : std::vector<std::uint8_t>{};
     if (!good) grow(result, limits_);
     if (doubts) decide_joins(r1, body_in_r1, cheapest, result);
@@ -142,9 +142,10 @@ class NaturalPruning {
   }
 
   /// Only what is still alone, and sure enough: an earlier request may have changed it.
-  void join_alone(const std::vector<std::uint8_t>& r1, NaturalResult& result) const {
+  void join_alone(const std::vector<std::uint8_t>& r1, NaturalResult& result) {
+    const SecondLook::Measure measure = [&](std::uint32_t t) { return confidence_of(t); };
     for (const TetName& body : requests_.joined) {
-      const Way way = SecondLook(complex_, ground_, r1, result.kept, confidence_).way_from(body);
+      const Way way = SecondLook(complex_, ground_, r1, result.kept, measure).way_from(body);
       if (way.tets.empty() || way.join.confidence < as_integer(options_.alone_confidence)) continue;
       for (const std::uint32_t t : way.tets) result.kept[t] = 1;
       list_join(way.join, result.report.joins);

@@ -249,8 +249,7 @@ Result<Done> Pipeline::prune_cell(CellId id, CellState& state) {
 
 /// All that a solid subset can cover.
 void Pipeline::cover_by_joint(const CellInHand& hand) {
-  cover(hand.faces, hand.ids,
-        ground_under(hand.built, prune(hand.built.complex, PruneMode::joint).kept));
+  cover(hand.faces, hand.ids, ground_under(hand.built, prune(hand.built.complex, PruneMode::joint).kept));
 }
 
 void Pipeline::take_pruned(const CellInHand& hand, PruneResult& pruned, CellState& state) {
