@@ -121,14 +121,14 @@ class NaturalPruning {
 
   void grow(NaturalResult& result, const GrowthLimits& limits) const {
     for (const OpenRequest& request : requests_.opened) drop_unsure(request, result.kept);
-    GrowthResult grown = grow_simply(complex_, ground_, result.kept, confidence_, limits);
-    std::vector<std::uint8_t> before = requests_.opened.empty() ? std::vector<std::uint8_t>{} : grown.kept;
-    result.report.after = refill_cracks(complex_, ground_, result.kept, grown.kept);
-    if (!before.empty() && count_open(grown.kept) < count_open(before)) {
-      grown.kept = std::move(before);
-      result.report.after = count_topology(complex_, ground_, grown.kept);
+    GrowingSolid solid(complex_, ground_);
+    GrowthResult grown = grow_simply(complex_, ground_, result.kept, confidence_, limits, solid);
+    result.report.after = refill_cracks(complex_, ground_, result.kept, solid);
+    result.kept = solid.kept();
+    if (!requests_.opened.empty() && count_open(result.kept) < count_open(grown.kept)) {
+      result.kept = std::move(grown.kept);
+      result.report.after = count_topology(complex_, ground_, result.kept);
     }
-    result.kept = std::move(grown.kept);
     result.report.grown = true;
     result.report.joins = std::move(grown.joins);
     result.report.domes = std::move(grown.domes);

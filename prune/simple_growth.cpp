@@ -15,12 +15,12 @@ namespace {
 class SimpleGrowth {
  public:
   SimpleGrowth(const CellComplex& complex, const Ground& ground, const std::vector<std::uint8_t>& allowed,
-               std::span<const std::int32_t> confidence, const GrowthLimits& limits)
+               std::span<const std::int32_t> confidence, const GrowthLimits& limits, GrowingSolid& solid)
       : complex_(complex),
         ground_(ground),
         confidence_(confidence),
         limits_(limits),
-        solid_(complex, ground),
+        solid_(solid),
         rank_(complex.mesh.size(), kNone),
         listed_(complex.mesh.size(), 0),
         vertex_of_body_(part_names(complex, ground)) {
@@ -267,7 +267,7 @@ class SimpleGrowth {
   const Ground& ground_;
   std::span<const std::int32_t> confidence_;
   const GrowthLimits& limits_;
-  GrowingSolid solid_;
+  GrowingSolid& solid_;
   std::vector<std::uint32_t> order_;  ///< allowed tetrahedra, the most confident first
   std::vector<std::uint32_t> rank_;   ///< place in order_, kNone if not allowed
   std::vector<std::uint8_t> listed_, visited_;
@@ -283,8 +283,15 @@ class SimpleGrowth {
 
 GrowthResult grow_simply(const CellComplex& complex, const Ground& ground,
                          const std::vector<std::uint8_t>& allowed, std::span<const std::int32_t> confidence,
+                         const GrowthLimits& limits, GrowingSolid& solid) {
+  return SimpleGrowth(complex, ground, allowed, confidence, limits, solid).run();
+}
+
+GrowthResult grow_simply(const CellComplex& complex, const Ground& ground,
+                         const std::vector<std::uint8_t>& allowed, std::span<const std::int32_t> confidence,
                          const GrowthLimits& limits) {
-  return SimpleGrowth(complex, ground, allowed, confidence, limits).run();
+  GrowingSolid solid(complex, ground);
+  return grow_simply(complex, ground, allowed, confidence, limits, solid);
 }
 
 }  // namespace crossloft
