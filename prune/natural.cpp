@@ -31,11 +31,13 @@ class NaturalPruning {
         is_measured_(complex.mesh.size(), 0) {}
 
   NaturalResult run(const std::vector<std::uint8_t>& r1) {
-    measure_open(r1);
     EnergyWeights weights;
     weights.smooth = options_.smooth_weight;
     NaturalResult result;
-    result.kept = cheapest_solid(complex_, shape_, r1, confidence_, weights);
+    result.kept = cheapest_solid(complex_, shape_, r1,
+                                 {[&](std::uint32_t t) { return meter_.bounds(t); },
+                                  [&](std::uint32_t t) { return confidence_of(t); }},
+                                 weights);
     result.r2 = static_cast<std::uint32_t>(std::count(result.kept.begin(), result.kept.end(), 1));
     NaturalReport& report = result.report;
     const CellBodies bodies = find_bodies(complex_, ground_, result.kept);
@@ -157,12 +159,6 @@ class NaturalPruning {
   std::int32_t confidence_of(std::uint32_t t) {
     if (is_measured_[t] == 0) confidence_[t] = meter_.measure(t), is_measured_[t] = 1;
     return confidence_[t];
-  }
-
-  /// The cut does not ask how likely tied tetrahedra are: they are measured where joins or growth do.
-  void measure_open(const std::vector<std::uint8_t>& r1) {
-    for (std::uint32_t t = 0; t < r1.size(); ++t)
-      if (r1[t] != 0 && !is_tied_to_sections(complex_, t)) confidence_of(t);
   }
 
   void measure_all(const std::vector<std::uint8_t>& r1) {
