@@ -126,15 +126,34 @@ void take_face(const FacePlane& face, const SectionRows& section, const Points& 
     square[k] = height[k] * height[k];
     known[k] = largest_of(d.in[k], d.out[k]);
   }
+  if (section.empty()) {
+    for (std::size_t k = 0; k < kPairs; ++k) d.out[k] = least_of(square[k], d.out[k]);
+    return;
+  }
   std::array<std::uint8_t, kPoints> asked;
   std::size_t count = 0;
   for (std::uint8_t k = 0; k < kPoints; ++k) {
     asked[count] = k;
     count += square.of(k) < known.of(k) ? 1 : 0;
   }
+  if (count == 0) return;
+  const int axis = section.dropped_axis();
+  const Lanes &at_u = axis == 0   ? p.y
+                      : axis == 1 ? p.z
+                                  : p.x,
+              &at_v = axis == 0   ? p.z
+                      : axis == 1 ? p.x
+                                  : p.y;
+  const Vec3 n = face.normal;
+  const double n_u = axis == 0 ? n.y : axis == 1 ? n.z : n.x, n_v = axis == 0 ? n.z : axis == 1 ? n.x : n.y;
+  Lanes u, v;  // the feet
+  for (std::size_t k = 0; k < kPairs; ++k) {
+    u[k] = at_u[k] - height[k] * n_u;
+    v[k] = at_v[k] - height[k] * n_v;
+  }
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t k = asked[i];
-    const bool in = !section.empty() && section.contains(p.at(k) - height.of(k) * face.normal);
+    const bool in = section.contains(u.of(k), v.of(k));
     const std::array<double, 3> pick{kNowhere, square.of(k), kNowhere};
     d.in.lower(k, pick[in ? 1 : 0]);
     d.out.lower(k, pick[in ? 2 : 1]);
