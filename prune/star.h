@@ -140,7 +140,8 @@ inline bool is_on_ground(const CellComplex& complex, std::uint32_t t, unsigned c
   return false;
 }
 
-/// Kinds side by side, a byte for each: all of a tetrahedron are asked at once, as nearly all are asked often.
+/// Kinds side by side, a byte for each: all of a tetrahedron are asked at once, as nearly all are asked
+/// often.
 template <class Kind, std::size_t n>
 std::uint64_t bytes_of(const std::array<Kind, n>& kinds) {
   static_assert(sizeof(Kind) == 1 && n <= 8);

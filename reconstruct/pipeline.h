@@ -63,8 +63,8 @@ struct CellInHand {
   std::vector<CellFace> faces;
   BuiltCell built;
   std::optional<Ground> ground;
-  CellShape shape;    ///< mode natural
-  CellMemory memory;  ///< of the shape
+  CellShape shape;           ///< mode natural
+  CellMemory memory;         ///< of the shape
   std::vector<Vec3> places;  ///< of points inside that it waits for
 };
 
@@ -91,10 +91,10 @@ struct CellState {
   std::vector<std::uint32_t> interior;  ///< in step: their numbers, ascending
   BuiltCell built;                      ///< only for an observer
   PruneResult pruned;
-  bool may_branch = false;  ///< samples are wanted if it lacks something
-  bool lacks_roof = false;  ///< handles had to be taken out of it: samples over holes are wanted
-  bool due = true;          ///< to be pruned: not yet done, or its faces have changed
-  bool undivided = false;   ///< without the points inside that it wants: samples may come first
+  bool may_branch = false;              ///< samples are wanted if it lacks something
+  bool lacks_roof = false;              ///< handles had to be taken out of it: samples over holes are wanted
+  bool due = true;                      ///< to be pruned: not yet done, or its faces have changed
+  bool undivided = false;               ///< without the points inside that it wants: samples may come first
   std::unique_ptr<CellInHand> waiting;  ///< the cell as it is until then, if it is undivided
 
   void renumber(std::span<const std::uint32_t> number);
