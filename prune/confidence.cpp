@@ -15,6 +15,7 @@ namespace {
 /// vertices. By twos, with the centroid a second time as the last one. What can't be predicted is decided
 /// without branches.
 constexpr std::size_t kPoints = 5, kPairs = 3;
+constexpr std::array<double, kPoints> kWeights{0.4, 0.15, 0.15, 0.15, 0.15};
 constexpr double kNowhere = std::numeric_limits<double>::infinity();
 
 /// A number for each point.
@@ -125,15 +126,34 @@ void take_face(const FacePlane& face, const SectionRows& section, const Points& 
     square[k] = height[k] * height[k];
     known[k] = largest_of(d.in[k], d.out[k]);
   }
+  if (section.empty()) {
+    for (std::size_t k = 0; k < kPairs; ++k) d.out[k] = least_of(square[k], d.out[k]);
+    return;
+  }
   std::array<std::uint8_t, kPoints> asked;
   std::size_t count = 0;
   for (std::uint8_t k = 0; k < kPoints; ++k) {
     asked[count] = k;
     count += square.of(k) < known.of(k) ? 1 : 0;
   }
+  if (count == 0) return;
+  const int axis = section.dropped_axis();
+  const Lanes &at_u = axis == 0   ? p.y
+                      : axis == 1 ? p.z
+                                  : p.x,
+              &at_v = axis == 0   ? p.z
+                      : axis == 1 ? p.x
+                                  : p.y;
+  const Vec3 n = face.normal;
+  const double n_u = axis == 0 ? n.y : axis == 1 ? n.z : n.x, n_v = axis == 0 ? n.z : axis == 1 ? n.x : n.y;
+  Lanes u, v;  // the feet
+  for (std::size_t k = 0; k < kPairs; ++k) {
+    u[k] = at_u[k] - height[k] * n_u;
+    v[k] = at_v[k] - height[k] * n_v;
+  }
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t k = asked[i];
-    const bool in = !section.empty() && section.contains(p.at(k) - height.of(k) * face.normal);
+    const bool in = section.contains(u.of(k), v.of(k));
     const std::array<double, 3> pick{kNowhere, square.of(k), kNowhere};
     d.in.lower(k, pick[in ? 1 : 0]);
     d.out.lower(k, pick[in ? 2 : 1]);
@@ -160,7 +180,7 @@ std::int32_t mean_of(const Distances& d, bool all_grounded) {
   double sum = 0;
   for (std::size_t k = 0; k < kPoints; ++k) {
     const double in = std::sqrt(d.in.of(k)), out = std::sqrt(d.out.of(k));
-    sum += (k == 0 ? 0.4 : 0.15) * share_of(in, out, all_grounded);
+    sum += kWeights[k] * share_of(in, out, all_grounded);
   }
   return static_cast<std::int32_t>(std::floor(sum * kCertain + 0.5));
 }
@@ -242,16 +262,21 @@ void KnownConfidences::grow() {
     if (entry.name[0] != kNone) entries_[place_of(entry.name)] = entry;
 }
 
+/// By sorted vertices, so that rounding does not depend on their order.
+Vec3 ConfidenceMeter::centroid_of(const TetName& v) const {
+  const auto& at = shape_.points;
+  return 0.25 * ((at[v[0]] + at[v[1]]) + (at[v[2]] + at[v[3]]));
+}
+
 std::int32_t ConfidenceMeter::measure(std::uint32_t t) {
   const TetName name = sorted_vertices(complex_.mesh, t);
   if (shape_.memory == nullptr) return measure_new(t, name);
   return memory_.known.get(name, [&] { return measure_new(t, name); });
 }
 
-/// By sorted vertices, so that rounding does not depend on their order.
 std::int32_t ConfidenceMeter::measure_new(std::uint32_t t, const TetName& v) {
   const auto& at = shape_.points;
-  const Vec3 centroid = 0.25 * ((at[v[0]] + at[v[1]]) + (at[v[2]] + at[v[3]]));
+  const Vec3 centroid = centroid_of(v);
   std::array<Vec3, 4> middles;
   double farthest = 0;
   for (std::size_t k = 0; k < 4; ++k) {
@@ -269,6 +294,25 @@ std::int32_t ConfidenceMeter::measure_new(std::uint32_t t, const TetName& v) {
   find_near_faces(centroid, std::sqrt(farthest), reach_of(d));
   for (const NearFace& near : near_) take_face(shape_.faces[near.face], memory_.sections[near.face], p, d);
   return mean_of(d, all_grounded);
+}
+
+/// No part of the boundary is nearer than the nearest face, so its side has the nearest point, and the share
+/// is not below or not above 0. It is off by less than 2^-22 for all that is off in distances, where that
+/// face is 2^22 slacks away.
+ConfidenceBounds ConfidenceMeter::bounds(std::uint32_t t) const {
+  const TetName name = sorted_vertices(complex_.mesh, t);
+  if (const std::int32_t* known = memory_.known.find(name)) return {*known, *known};
+  const Vec3 centroid = centroid_of(name);
+  double height = kNowhere;
+  std::size_t face = 0;
+  for (std::size_t f = 0; f < shape_.faces.size(); ++f)
+    if (const double h = shape_.faces[f].height(centroid); h < height) height = h, face = f;
+  if (!(height > slack_ * 0x1p22 && height < kNowhere)) return {};
+  const SectionRows& section = memory_.sections[face];
+  const bool in = !section.empty() && section.contains(centroid - height * shape_.faces[face].normal);
+  constexpr std::int32_t kSpare = 2;
+  const std::int32_t rest = as_integer(1 - kWeights[0]) + kSpare;
+  return in ? ConfidenceBounds{-rest, kCertain} : ConfidenceBounds{-kCertain, rest};
 }
 
 std::vector<std::int32_t> confidences(const CellComplex& complex, const CellShape& shape,

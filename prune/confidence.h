@@ -23,6 +23,11 @@ inline std::int32_t as_integer(double confidence) {
   return static_cast<std::int32_t>(std::floor(confidence * kCertain + 0.5));
 }
 
+/// A confidence is not less than `low` and not more than `high`.
+struct ConfidenceBounds {
+  std::int32_t low = -kCertain, high = kCertain;
+};
+
 /// The contours of a cell, for points that may be far from any.
 class ContourEdges {
  public:
@@ -45,6 +50,13 @@ class KnownConfidences {
     Entry& entry = entries_[place_of(name)];
     if (entry.name != name) entry = {name, measure()}, ++count_;
     return entry.confidence;
+  }
+
+  /// Nothing if there is none yet.
+  const std::int32_t* find(const TetName& name) const {
+    if (entries_.empty()) return nullptr;
+    const Entry& entry = entries_[place_of(name)];
+    return entry.name == name ? &entry.confidence : nullptr;
   }
 
  private:
@@ -86,6 +98,8 @@ class ConfidenceMeter {
   /// O(faces), with a handful of questions to the sections; O(1) once it is known. Not by two threads at
   /// once.
   std::int32_t measure(std::uint32_t t);
+  /// What the face nearest to the centroid says of it, a tenth of the work.
+  ConfidenceBounds bounds(std::uint32_t t) const;
 
  private:
   struct NearFace {
@@ -93,6 +107,7 @@ class ConfidenceMeter {
     std::uint32_t face;
   };
 
+  Vec3 centroid_of(const TetName& v) const;
   std::int32_t measure_new(std::uint32_t t, const TetName& name);
   void find_near_faces(Vec3 centroid, double radius, double reach);
 

@@ -81,18 +81,16 @@ std::vector<std::uint8_t> touching_vertices(const CellComplex& complex, const Gr
 class Refill {
  public:
   /// `cracks`: those across facets.
-  Refill(const CellComplex& complex, const Ground& ground, const std::vector<std::uint8_t>& kept,
+  Refill(const CellComplex& complex, const Ground& ground, GrowingSolid& solid,
          const std::vector<Crack>& cracks)
       : complex_(complex),
         ground_(ground),
         cracks_(cracks),
-        solid_(complex, ground),
-        topology_(count_topology(complex, ground, kept)),
+        solid_(solid),
+        topology_(count_topology(complex, ground, solid.kept())),
         touching_(touching_vertices(complex, ground)),
-        crack_of_(kept.size(), kNone),
+        crack_of_(solid.kept().size(), kNone),
         closes_(cracks.size(), 0) {
-    for (std::uint32_t t = 0; t < kept.size(); ++t)
-      if (kept[t] != 0) solid_.add(t);
     for (std::uint32_t c = 0; c < cracks.size(); ++c)
       for (const std::uint32_t t : cracks[c]) crack_of_[t] = c;
     find_closed();
@@ -110,7 +108,6 @@ class Refill {
     }
   }
 
-  const std::vector<std::uint8_t>& kept() const { return solid_.kept(); }
   const CellTopology& topology() const { return topology_; }
 
  private:
@@ -192,7 +189,7 @@ class Refill {
   const CellComplex& complex_;
   const Ground& ground_;
   const std::vector<Crack>& cracks_;
-  GrowingSolid solid_;
+  GrowingSolid& solid_;
   CellTopology topology_;
   std::vector<std::uint8_t> touching_;   ///< by vertex
   std::vector<std::uint32_t> crack_of_;  ///< by tetrahedron
@@ -203,15 +200,14 @@ class Refill {
 }  // namespace
 
 CellTopology refill_cracks(const CellComplex& complex, const Ground& ground,
-                           const std::vector<std::uint8_t>& allowed, std::vector<std::uint8_t>& kept) {
-  const std::vector<Crack> cracks = find_cracks(complex, allowed, kept, false);
-  if (cracks.empty()) return count_topology(complex, ground, kept);
-  Refill refill(complex, ground, kept, cracks);
-  refill.run(find_cracks(complex, allowed, kept, true));
+                           const std::vector<std::uint8_t>& allowed, GrowingSolid& solid) {
+  const std::vector<Crack> cracks = find_cracks(complex, allowed, solid.kept(), false);
+  if (cracks.empty()) return count_topology(complex, ground, solid.kept());
+  Refill refill(complex, ground, solid, cracks);
+  refill.run(find_cracks(complex, allowed, solid.kept(), true));
   std::vector<Crack> open = cracks;
-  std::erase_if(open, [&](const Crack& crack) { return refill.kept()[crack[0]] != 0; });
+  std::erase_if(open, [&](const Crack& crack) { return solid.has(crack[0]); });
   refill.run(open);
-  kept = refill.kept();
   return refill.topology();
 }
 

@@ -8,21 +8,22 @@ namespace {
 
 class CutReduction {
  public:
-  explicit CutReduction(const CutProblem& problem)
-      : problem_(problem), rest_(problem.neighbours.size()), state_(rest_.size(), kOpen) {
+  CutReduction(const CutProblem& problem, const PriceOf& price)
+      : problem_(problem), price_(price), rest_(problem.neighbours.size()), state_(rest_.size(), kOpen) {
     for (std::uint32_t t = 0; t < rest_.size(); ++t) {
       const auto& c = problem.capacity[t];
-      rest_[t] = {problem.terminal[t], c[0] + c[1] + c[2] + c[3]};
+      rest_[t] = {price(t, 0), 0, c[0] + c[1] + c[2] + c[3]};
     }
   }
 
   std::vector<std::uint8_t> run() {
-    for (std::uint32_t t = 0; t < rest_.size(); ++t) {
-      decide(t);
-      while (!decided_.empty()) {
-        const std::uint32_t next = decided_.back();
-        decided_.pop_back();
-        tell_neighbours(next);
+    for (unsigned step = 0; step <= 2; ++step) {
+      for (std::uint32_t t = 0; t < rest_.size(); ++t) {
+        if (state_[t] != kOpen) continue;
+        PriceRange& own = rest_[t].own;
+        if (step > 0 && own.low != own.high) own = price_(t, step);
+        decide(t);
+        tell_neighbours();
       }
     }
     cut_rest();
@@ -33,20 +34,30 @@ class CutReduction {
  private:
   enum : std::uint8_t { kOpen, kKept, kDropped };
   struct Prices {
-    std::int64_t terminal;  ///< with the facets to what is decided
-    std::int64_t facets;    ///< of those to what is open
+    PriceRange own;
+    std::int64_t decided;  ///< of the facets to what is decided
+    std::int64_t facets;   ///< of those to what is open
   };
 
   void decide(std::uint32_t t) {
     if (state_[t] != kOpen) return;
     const Prices& p = rest_[t];
-    if (p.terminal > p.facets)
+    if (p.own.low + p.decided > p.facets)
       state_[t] = kKept;
-    else if (-p.terminal >= p.facets)
+    else if (-(p.own.high + p.decided) >= p.facets)
       state_[t] = kDropped;
     else
       return;
     decided_.push_back(t);
+  }
+
+  /// Those of what has been decided, and so on.
+  void tell_neighbours() {
+    while (!decided_.empty()) {
+      const std::uint32_t next = decided_.back();
+      decided_.pop_back();
+      tell_neighbours(next);
+    }
   }
 
   void tell_neighbours(std::uint32_t t) {
@@ -55,7 +66,7 @@ class CutReduction {
       if (n == kNone || state_[n] != kOpen) continue;
       const std::int64_t price = problem_.capacity[t][i];
       rest_[n].facets -= price;
-      rest_[n].terminal += state_[t] == kKept ? price : -price;
+      rest_[n].decided += state_[t] == kKept ? price : -price;
       decide(n);
     }
   }
@@ -71,7 +82,7 @@ class CutReduction {
     std::vector<std::array<std::uint32_t, 4>> neighbours(open.size());
     CutProblem rest;
     for (std::uint32_t k = 0; k < open.size(); ++k) {
-      rest.terminal.push_back(rest_[open[k]].terminal);
+      rest.terminal.push_back(rest_[open[k]].own.low + rest_[open[k]].decided);
       auto& capacity = rest.capacity.emplace_back(problem_.capacity[open[k]]);
       for (unsigned i = 0; i < 4; ++i) {
         const std::uint32_t n = problem_.neighbours[open[k]][i];
@@ -86,6 +97,7 @@ class CutReduction {
   }
 
   const CutProblem& problem_;
+  const PriceOf& price_;
   std::vector<Prices> rest_;
   std::vector<std::uint8_t> state_;
   std::vector<std::uint32_t> decided_;  ///< their neighbours have not been told yet
@@ -93,6 +105,14 @@ class CutReduction {
 
 }  // namespace
 
-std::vector<std::uint8_t> smallest_cheapest(const CutProblem& problem) { return CutReduction(problem).run(); }
+std::vector<std::uint8_t> smallest_cheapest(const CutProblem& problem, const PriceOf& price) {
+  return CutReduction(problem, price).run();
+}
+
+std::vector<std::uint8_t> smallest_cheapest(const CutProblem& problem) {
+  return smallest_cheapest(problem, [&](std::uint32_t t, unsigned) {
+    return PriceRange{problem.terminal[t], problem.terminal[t]};
+  });
+}
 
 }  // namespace crossloft

@@ -95,7 +95,7 @@ double size_of(const std::vector<double>& volumes) {
 class CutBuilder {
  public:
   CutBuilder(const CellComplex& complex, const CellShape& shape, const std::vector<std::uint8_t>& r1,
-             std::span<const std::int32_t> confidence, const EnergyWeights& weights)
+             const ConfidenceSource& confidence, const EnergyWeights& weights)
       : complex_(complex),
         measures_(complex, shape),
         confidence_(confidence),
@@ -114,14 +114,20 @@ class CutBuilder {
     const double size = size_of(volume);
     const double per_volume = size > 0 ? weights_.volume * units_ / size : 0;
     neighbours_.assign(open_.size(), {kNone, kNone, kNone, kNone});
-    problem_.terminal.reserve(open_.size());
+    std::vector<std::int64_t> facets(open_.size());
     problem_.capacity.assign(open_.size(), {0, 0, 0, 0});
-    for (std::uint32_t k = 0; k < open_.size(); ++k) {
-      const double sureness = static_cast<double>(confidence_[open_[k]]) / kCertain + weights_.offset;
-      problem_.terminal.push_back(rounded(per_volume * volume[open_[k]] * sureness) + set_facets(k));
-    }
+    for (std::uint32_t k = 0; k < open_.size(); ++k) facets[k] = set_facets(k);
     problem_.neighbours = neighbours_;
-    const std::vector<std::uint8_t> kept_open = smallest_cheapest(problem_);
+    // Rounding never turns the order of two prices round.
+    const auto price = [&](std::uint32_t k, std::int32_t confidence) {
+      const double sureness = static_cast<double>(confidence) / kCertain + weights_.offset;
+      return rounded(per_volume * volume[open_[k]] * sureness) + facets[k];
+    };
+    const std::vector<std::uint8_t> kept_open =
+        smallest_cheapest(problem_, [&](std::uint32_t k, unsigned step) {
+          const ConfidenceBounds in = bounds(open_[k], step);
+          return PriceRange{price(k, in.low), price(k, in.high)};
+        });
     std::vector<std::uint8_t> kept(place_.size());
     for (std::uint32_t t = 0; t < kept.size(); ++t)
       kept[t] = place_[t] == kTied || (place_[t] != kDropped && kept_open[place_[t]] != 0) ? 1 : 0;
@@ -129,6 +135,13 @@ class CutBuilder {
   }
 
  private:
+  ConfidenceBounds bounds(std::uint32_t t, unsigned step) const {
+    if (step == 0) return {};
+    if (step == 1) return confidence_.bounds(t);
+    const std::int32_t exactly = confidence_.measure(t);
+    return {exactly, exactly};
+  }
+
   static constexpr std::uint32_t kDropped = kNone, kTied = kNone - 1;
 
   /// Capacities towards neighbours; returns the price of facets to tied ones less that of facets where the
@@ -159,7 +172,7 @@ class CutBuilder {
 
   const CellComplex& complex_;
   const CellMeasures measures_;
-  std::span<const std::int32_t> confidence_;
+  const ConfidenceSource& confidence_;
   const EnergyWeights& weights_;
   const double units_;
   std::vector<std::uint32_t> place_;                      ///< in open_, or one of the two above
@@ -176,9 +189,20 @@ bool is_tied_to_sections(const CellComplex& complex, std::uint32_t t) {
 
 std::vector<std::uint8_t> cheapest_solid(const CellComplex& complex, const CellShape& shape,
                                          const std::vector<std::uint8_t>& r1,
+                                         const ConfidenceSource& confidence, const EnergyWeights& weights) {
+  return CutBuilder(complex, shape, r1, confidence, weights).run();
+}
+
+std::vector<std::uint8_t> cheapest_solid(const CellComplex& complex, const CellShape& shape,
+                                         const std::vector<std::uint8_t>& r1,
                                          std::span<const std::int32_t> confidence,
                                          const EnergyWeights& weights) {
-  return CutBuilder(complex, shape, r1, confidence, weights).run();
+  return cheapest_solid(complex, shape, r1,
+                        {[&](std::uint32_t t) {
+                           return ConfidenceBounds{confidence[t], confidence[t]};
+                         },
+                         [&](std::uint32_t t) { return confidence[t]; }},
+                        weights);
 }
 
 }  // namespace crossloft

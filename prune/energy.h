@@ -2,11 +2,13 @@
 /// What a solid costs: a small surface, and volume where the sections make it likely.
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
 #include "cell_complex.h"
 #include "cell_shape.h"
+#include "confidence.h"
 
 namespace crossloft {
 
@@ -21,13 +23,23 @@ struct EnergyWeights {
 /// falls apart where the solid is on one side of it here and on the other side there.
 bool is_tied_to_sections(const CellComplex& complex, std::uint32_t t);
 
+/// The confidences of tetrahedra, asked for where they are needed.
+struct ConfidenceSource {
+  std::function<ConfidenceBounds(std::uint32_t)> bounds;  ///< for less work
+  std::function<std::int32_t(std::uint32_t)> measure;
+};
+
 /// The subset of R1 that has the least
 ///     smooth area(surface within the cell) - volume sum over tetrahedra of (confidence + offset) volume /
 ///     size,
 /// size = the cube root of the volume of the cell's vertices' hull, among those that contain all tied ones of
 /// R1; the smallest if there are several, so it is unique. A minimum cut between neighbours (min_cut.h) that
-/// are not tied, with capacities rounded to integers. REQUIRES: confidences as in confidence.h, but for tied
-/// tetrahedra, of which they are not asked; r1[t] = 0 for tetrahedra that can't be kept.
+/// are not tied, with capacities rounded to integers. Tied tetrahedra are not measured, nor those that bounds
+/// or their neighbours decide. REQUIRES: r1[t] = 0 for tetrahedra that can't be kept.
+std::vector<std::uint8_t> cheapest_solid(const CellComplex& complex, const CellShape& shape,
+                                         const std::vector<std::uint8_t>& r1,
+                                         const ConfidenceSource& confidence, const EnergyWeights& weights);
+/// The same with confidences that are known but for tied tetrahedra.
 std::vector<std::uint8_t> cheapest_solid(const CellComplex& complex, const CellShape& shape,
                                          const std::vector<std::uint8_t>& r1,
                                          std::span<const std::int32_t> confidence,

@@ -31,11 +31,13 @@ class NaturalPruning {
         is_measured_(complex.mesh.size(), 0) {}
 
   NaturalResult run(const std::vector<std::uint8_t>& r1) {
-    measure_open(r1);
     EnergyWeights weights;
     weights.smooth = options_.smooth_weight;
     NaturalResult result;
-    result.kept = cheapest_solid(complex_, shape_, r1, confidence_, weights);
+    result.kept = cheapest_solid(complex_, shape_, r1,
+                                 {[&](std::uint32_t t) { return meter_.bounds(t); },
+                                  [&](std::uint32_t t) { return confidence_of(t); }},
+                                 weights);
     result.r2 = static_cast<std::uint32_t>(std::count(result.kept.begin(), result.kept.end(), 1));
     NaturalReport& report = result.report;
     const CellBodies bodies = find_bodies(complex_, ground_, result.kept);
@@ -47,7 +49,7 @@ class NaturalPruning {
     std::vector<std::uint32_t> body_in_r1;
     if (may_doubt()) body_in_r1 = bodies_of(r1, bodies);
     const bool doubts = !body_in_r1.empty() && !is_surely_joined(bodies, body_in_r1, report.joins);
-    if (!good || !requests_.joined.empty()) measure_all(r1);
+    if (!good) measure_all(r1);
     const std::vector<std::uint8_t> cheapest = doubts ? result.kept : std::vector<std::uint8_t>{};
     if (!good) grow(result, limits_);
     if (doubts) decide_joins(r1, body_in_r1, cheapest, result);
@@ -121,14 +123,14 @@ class NaturalPruning {
 
   void grow(NaturalResult& result, const GrowthLimits& limits) const {
     for (const OpenRequest& request : requests_.opened) drop_unsure(request, result.kept);
-    GrowthResult grown = grow_simply(complex_, ground_, result.kept, confidence_, limits);
-    std::vector<std::uint8_t> before = requests_.opened.empty() ? std::vector<std::uint8_t>{} : grown.kept;
-    result.report.after = refill_cracks(complex_, ground_, result.kept, grown.kept);
-    if (!before.empty() && count_open(grown.kept) < count_open(before)) {
-      grown.kept = std::move(before);
-      result.report.after = count_topology(complex_, ground_, grown.kept);
+    GrowingSolid solid(complex_, ground_);
+    GrowthResult grown = grow_simply(complex_, ground_, result.kept, confidence_, limits, solid);
+    result.report.after = refill_cracks(complex_, ground_, result.kept, solid);
+    result.kept = solid.kept();
+    if (!requests_.opened.empty() && count_open(result.kept) < count_open(grown.kept)) {
+      result.kept = std::move(grown.kept);
+      result.report.after = count_topology(complex_, ground_, result.kept);
     }
-    result.kept = std::move(grown.kept);
     result.report.grown = true;
     result.report.joins = std::move(grown.joins);
     result.report.domes = std::move(grown.domes);
@@ -142,9 +144,10 @@ class NaturalPruning {
   }
 
   /// Only what is still alone, and sure enough: an earlier request may have changed it.
-  void join_alone(const std::vector<std::uint8_t>& r1, NaturalResult& result) const {
+  void join_alone(const std::vector<std::uint8_t>& r1, NaturalResult& result) {
+    const SecondLook::Measure measure = [&](std::uint32_t t) { return confidence_of(t); };
     for (const TetName& body : requests_.joined) {
-      const Way way = SecondLook(complex_, ground_, r1, result.kept, confidence_).way_from(body);
+      const Way way = SecondLook(complex_, ground_, r1, result.kept, measure).way_from(body);
       if (way.tets.empty() || way.join.confidence < as_integer(options_.alone_confidence)) continue;
       for (const std::uint32_t t : way.tets) result.kept[t] = 1;
       list_join(way.join, result.report.joins);
@@ -156,12 +159,6 @@ class NaturalPruning {
   std::int32_t confidence_of(std::uint32_t t) {
     if (is_measured_[t] == 0) confidence_[t] = meter_.measure(t), is_measured_[t] = 1;
     return confidence_[t];
-  }
-
-  /// The cut does not ask how likely tied tetrahedra are: they are measured where joins or growth do.
-  void measure_open(const std::vector<std::uint8_t>& r1) {
-    for (std::uint32_t t = 0; t < r1.size(); ++t)
-      if (r1[t] != 0 && !is_tied_to_sections(complex_, t)) confidence_of(t);
   }
 
   void measure_all(const std::vector<std::uint8_t>& r1) {

@@ -4,19 +4,13 @@
 
 #include "growth.h"
 #include "solidity.h"
+#include "star.h"
 
 namespace crossloft {
 namespace {
 
 std::uint32_t count(const std::vector<std::uint8_t>& flags) {
   return static_cast<std::uint32_t>(std::count(flags.begin(), flags.end(), std::uint8_t{1}));
-}
-
-bool is_external(const CellComplex& complex, std::uint32_t t) {
-  bool external = false;
-  for (const FacetKind kind : complex.facets[t]) external |= kind == FacetKind::external;
-  for (const EdgeKind kind : complex.edges[t]) external |= kind == EdgeKind::external;
-  return external;
 }
 
 /// T_vf or T_ee for general tags: two faces of the cell cover the four vertices, that is, a grounded triangle

@@ -13,31 +13,36 @@
 namespace crossloft {
 namespace {
 
-/// Tetrahedra in the order in which a way prefers them.
-struct Preference {
-  Preference(std::size_t size, std::vector<std::uint32_t> best_first)
-      : order(std::move(best_first)), rank(size, kNone) {
-    for (std::uint32_t r = 0; r < order.size(); ++r) rank[order[r]] = r;
-  }
-  std::vector<std::uint32_t> order;
-  std::vector<std::uint32_t> rank;  ///< kNone: not to be used
+/// What a way prefers to go through. By confidence, then by sorted vertices.
+enum class Prefers : std::uint8_t { sure, unsure };
+
+/// A tetrahedron that a way has come to; the greatest is preferred.
+struct Step {
+  std::int32_t confidence;
+  TetName name;
+  std::uint32_t tet;
 };
 
-/// From one of `starts` to a tetrahedron with goal(t), so that the worst one on the way is as good as can be;
-/// from the start on, empty if there is no way. (Prim's algorithm: the first goal it comes to.)
-template <class Goal>
-std::vector<std::uint32_t> best_way(const TetMesh& mesh, const Preference& preference,
-                                    const std::vector<std::uint32_t>& starts, Goal goal) {
-  std::priority_queue<std::uint32_t, std::vector<std::uint32_t>, std::greater<>> queue;
+/// From one of `starts` to a tetrahedron with goal(t), over those with usable(t), so that the worst one on
+/// the way is as good as can be; from the start on, empty if there is no way. (Prim's algorithm: the first
+/// goal it comes to.) Only what it comes to is measured.
+template <class Usable, class Goal>
+std::vector<std::uint32_t> best_way(const TetMesh& mesh, Prefers prefers, const SecondLook::Measure& measure,
+                                    const std::vector<std::uint32_t>& starts, Usable usable, Goal goal) {
+  const auto comes_later = [prefers](const Step& x, const Step& y) {
+    const bool is_surer = x.confidence != y.confidence ? x.confidence > y.confidence : x.name < y.name;
+    return x.tet != y.tet && is_surer != (prefers == Prefers::sure);
+  };
+  std::priority_queue<Step, std::vector<Step>, decltype(comes_later)> queue(comes_later);
   std::vector<std::uint32_t> before(mesh.size(), kNone);
   const auto see = [&](std::uint32_t t, std::uint32_t from) {
-    if (preference.rank[t] == kNone || before[t] != kNone) return;
+    if (before[t] != kNone || !usable(t)) return;
     before[t] = from;
-    queue.push(preference.rank[t]);
+    queue.push({measure(t), sorted_vertices(mesh, t), t});
   };
   for (const std::uint32_t t : starts) see(t, t);
   while (!queue.empty()) {
-    std::uint32_t t = preference.order[queue.top()];
+    std::uint32_t t = queue.top().tet;
     queue.pop();
     if (goal(t)) {
       std::vector<std::uint32_t> way{t};
@@ -163,17 +168,9 @@ std::vector<OutsideAt> outside_of_facets(const CellComplex& complex, const Groun
 
 /// What all bodies are asked with; as there may be many of them it is made once.
 struct SecondLook::View {
-  explicit View(const SecondLook& look)
-      : bodies(look.complex_, look.ground_, look.kept_), preference(look.kept_.size(), order(look)) {}
-
-  static std::vector<std::uint32_t> order(const SecondLook& look) {
-    std::vector<std::uint8_t> free(look.kept_.size());
-    for (std::size_t t = 0; t < free.size(); ++t) free[t] = look.candidates_[t] != 0 && look.kept_[t] == 0;
-    return by_confidence(look.complex_, free, look.confidence_);
-  }
+  explicit View(const SecondLook& look) : bodies(look.complex_, look.ground_, look.kept_) {}
 
   Bodies bodies;
-  Preference preference;
   std::vector<std::pair<TetName, std::uint32_t>> names;  ///< kept ones, ascending; only for answers
 };
 
@@ -186,14 +183,14 @@ Way SecondLook::way_from(const TetName& body) const {
 
 Way SecondLook::way_from(View& view, std::uint32_t start) const {
   Bodies& bodies = view.bodies;  // for clang 14 no lambda may take what is bound together with others
-  Preference& preference = view.preference;
   const std::uint32_t own = bodies.of_tet(start);
   if (!bodies.stands_on_one_part(own)) return {};
   std::vector<std::uint32_t> starts;
-  for (const std::uint32_t t : preference.order)
-    if (bodies.touches(t, own)) starts.push_back(t);
+  const auto is_free = [&](std::uint32_t t) { return candidates_[t] != 0 && kept_[t] == 0; };
+  for (std::uint32_t t = 0; t < kept_.size(); ++t)
+    if (is_free(t) && bodies.touches(t, own)) starts.push_back(t);
   Way way;
-  way.tets = best_way(complex_.mesh, preference, starts,
+  way.tets = best_way(complex_.mesh, Prefers::sure, measure_, starts, is_free,
                       [&](std::uint32_t t) { return bodies.other_at(t, own) != kNone; });
   if (!can_add(complex_, ground_, kept_, way.tets)) return {};
   const std::uint32_t other = bodies.other_at(way.tets.back(), own);
@@ -201,8 +198,8 @@ Way SecondLook::way_from(View& view, std::uint32_t start) const {
     if (n != kNone && kept_[n] != 0 && bodies.of_tet(n) == other)
       way.target = std::min(way.target, sorted_vertices(complex_.mesh, n));
   const std::uint32_t a = bodies.name_of(own), b = bodies.name_of(other);
-  way.join = {std::min(a, b), std::max(a, b), confidence_[way.tets[0]], true};
-  for (const std::uint32_t t : way.tets) way.join.confidence = std::min(way.join.confidence, confidence_[t]);
+  way.join = {std::min(a, b), std::max(a, b), measure_(way.tets[0]), true};
+  for (const std::uint32_t t : way.tets) way.join.confidence = std::min(way.join.confidence, measure_(t));
   return way;
 }
 
@@ -232,9 +229,6 @@ CavityAnswer SecondLook::answer_part(const OutsidePart& part, std::uint32_t star
   answer.face = part.opening.face();
   std::vector<std::uint8_t> within(kept_.size(), 0);
   for (const std::uint32_t t : part.tets) within[t] = 1;
-  std::vector<std::uint32_t> order = by_confidence(complex_, kept_, confidence_);
-  std::reverse(order.begin(), order.end());
-  const Preference preference(kept_.size(), std::move(order));
   std::vector<std::uint32_t> starts;
   for (const std::uint32_t t : part.tets)
     for (const std::uint32_t n : complex_.mesh.neighbours[t])
@@ -246,12 +240,13 @@ CavityAnswer SecondLook::answer_part(const OutsidePart& part, std::uint32_t star
         name = std::min(name, sorted_vertices(complex_.mesh, n));
     return name;
   };
-  const auto way =
-      best_way(complex_.mesh, preference, starts, [&](std::uint32_t t) { return beyond(t)[0] != kNone; });
+  const auto way = best_way(
+      complex_.mesh, Prefers::unsure, measure_, starts, [&](std::uint32_t t) { return kept_[t] != 0; },
+      [&](std::uint32_t t) { return beyond(t)[0] != kNone; });
   if (way.empty()) return answer;
   answer.can_open = true;
-  answer.confidence = confidence_[way[0]];
-  for (const std::uint32_t t : way) answer.confidence = std::max(answer.confidence, confidence_[t]);
+  answer.confidence = measure_(way[0]);
+  for (const std::uint32_t t : way) answer.confidence = std::max(answer.confidence, measure_(t));
   answer.from = sorted_vertices(complex_.mesh, start);
   answer.to = beyond(way.back());
   return answer;
@@ -290,10 +285,8 @@ Answers answer_questions(const CellComplex& complex, const Ground& ground, const
                          const std::vector<std::uint8_t>& kept, const SecondThoughts& questions) {
   const std::vector<std::uint8_t> r1 = without_external(complex);
   ConfidenceMeter meter(complex, ground, shape);
-  std::vector<std::int32_t> confidence(r1.size(), -kCertain);
-  for (std::uint32_t t = 0; t < r1.size(); ++t)
-    if (r1[t] != 0) confidence[t] = meter.measure(t);
-  return SecondLook(complex, ground, r1, kept, confidence).answer(questions);
+  return SecondLook(complex, ground, r1, kept, [&](std::uint32_t t) { return meter.measure(t); })
+      .answer(questions);
 }
 
 }  // namespace crossloft

@@ -7,7 +7,8 @@
 /// cell is asked how sure it is, and the least sure of them is told to change.
 
 #include <cstdint>
-#include <span>
+#include <functional>
+#include <utility>
 #include <vector>
 
 #include "cell_complex.h"
@@ -58,9 +59,16 @@ struct Way {
 /// What a cell does about it. `candidates`: what a body may be joined by, contains `kept`.
 class SecondLook {
  public:
+  /// The confidence of a tetrahedron, the same each time.
+  using Measure = std::function<std::int32_t(std::uint32_t)>;
+
   SecondLook(const CellComplex& complex, const Ground& ground, const std::vector<std::uint8_t>& candidates,
-             const std::vector<std::uint8_t>& kept, std::span<const std::int32_t> confidence)
-      : complex_(complex), ground_(ground), candidates_(candidates), kept_(kept), confidence_(confidence) {}
+             const std::vector<std::uint8_t>& kept, Measure measure)
+      : complex_(complex),
+        ground_(ground),
+        candidates_(candidates),
+        kept_(kept),
+        measure_(std::move(measure)) {}
 
   /// One answer for each question, in the order of the questions. O(n log n), O(n) again for each body that
   /// is alone, and O(n log n) for each part of a cavity.
@@ -79,10 +87,10 @@ class SecondLook {
   const Ground& ground_;
   const std::vector<std::uint8_t>& candidates_;
   const std::vector<std::uint8_t>& kept_;
-  std::span<const std::int32_t> confidence_;
+  Measure measure_;
 };
 
-/// What a cell with that solid answers. O(n log n) and a confidence for each tetrahedron of R1.
+/// What a cell with that solid answers. O(n log n) and a confidence for each tetrahedron that ways come to.
 Answers answer_questions(const CellComplex& complex, const Ground& ground, const CellShape& shape,
                          const std::vector<std::uint8_t>& kept, const SecondThoughts& questions);
 

@@ -96,6 +96,10 @@ std::size_t SectionRows::row_of(double v) const {
 
 bool SectionRows::contains(Vec3 p) const {
   const auto [u, v] = project(p, axis_);
+  return contains(u, v);
+}
+
+bool SectionRows::contains(double u, double v) const {
   if (!(v >= low_ && v < high_)) return false;
   const std::size_t row = row_of(v);
   // Without branches: which pieces cross the line of p can't be predicted.

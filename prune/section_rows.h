@@ -25,6 +25,9 @@ class SectionRows {
   bool empty() const { return pieces_.empty(); }
   /// Even-odd along the row of p. O(contour pieces in the row), a handful on smooth contours.
   bool contains(Vec3 p) const;
+  /// The same in the plane without the dropped axis: the two others, in the order of x, y, z, x.
+  bool contains(double u, double v) const;
+  int dropped_axis() const { return axis_; }
 
  private:
   /// Two pieces, the second one perhaps at infinity, where nothing crosses it.

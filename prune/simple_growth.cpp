@@ -15,14 +15,16 @@ namespace {
 class SimpleGrowth {
  public:
   SimpleGrowth(const CellComplex& complex, const Ground& ground, const std::vector<std::uint8_t>& allowed,
-               std::span<const std::int32_t> confidence, const GrowthLimits& limits)
+               std::span<const std::int32_t> confidence, const GrowthLimits& limits, GrowingSolid& solid)
       : complex_(complex),
         ground_(ground),
         confidence_(confidence),
         limits_(limits),
-        solid_(complex, ground),
+        solid_(solid),
         rank_(complex.mesh.size(), kNone),
         listed_(complex.mesh.size(), 0),
+        changed_at_(complex.vertex_count, 0),
+        refusal_(complex.mesh.size()),
         vertex_of_body_(part_names(complex, ground)) {
     set_ranks(allowed);
     find_wished();
@@ -86,6 +88,8 @@ class SimpleGrowth {
 
   void add(std::uint32_t t) {
     solid_.add(t);
+    ++additions_;
+    for (const std::uint32_t v : complex_.mesh.vertices[t]) changed_at_[v] = additions_;
     for (const std::uint32_t n : complex_.mesh.neighbours[t])
       if (n != kNone) list(n);
   }
@@ -101,14 +105,39 @@ class SimpleGrowth {
   }
 
   bool try_add(std::uint32_t t, bool domes) {
+    if (is_as_refused(t, domes)) return false;
     const Contact contact = solid_.contact(t);
     const bool is_easy = contact.is_simple() || contact.is_plug();
-    if (!is_easy && contact.is_dome() && (!domes || !may_close(t, contact))) return false;
-    if (!is_easy && !contact.is_dome() && !contact.is_join()) return false;
+    if (!is_easy && contact.is_dome() && (!domes || !may_close(t, contact))) return refuse(t, Refused::dome);
+    if (!is_easy && !contact.is_dome() && !contact.is_join()) return refuse(t, Refused::always);
     if (!open_.empty() && parts_what_stays_open(t)) return false;
     if (!is_easy && contact.is_dome()) result_.domes.push_back(confidence_[t]);
-    if (!is_easy && !contact.is_dome() && !join(t, contact)) return false;
+    if (!is_easy && !contact.is_dome() && !join(t, contact))
+      return wished_.empty() ? refuse(t, Refused::always) : false;
     add(t);
+    return true;
+  }
+
+  /// Why a tetrahedron was refused, if its contact alone says so. What the contact is made of is at its
+  /// vertices, but for the bodies: as these only come together, a loop stays one, and so does a join that is
+  /// not sure, or it becomes a loop.
+  enum class Refused : std::uint8_t { no, dome, always };
+  struct Refusal {
+    std::uint32_t additions = 0;  ///< before it
+    Refused why = Refused::no;
+  };
+
+  bool refuse(std::uint32_t t, Refused why) {
+    refusal_[t] = {additions_, why};
+    return false;
+  }
+
+  /// Whether nothing has been added at its vertices since.
+  bool is_as_refused(std::uint32_t t, bool domes) const {
+    const Refusal& refusal = refusal_[t];
+    if (refusal.why == Refused::no || (refusal.why == Refused::dome && domes)) return false;
+    for (const std::uint32_t v : complex_.mesh.vertices[t])
+      if (changed_at_[v] > refusal.additions) return false;
     return true;
   }
 
@@ -267,10 +296,13 @@ class SimpleGrowth {
   const Ground& ground_;
   std::span<const std::int32_t> confidence_;
   const GrowthLimits& limits_;
-  GrowingSolid solid_;
+  GrowingSolid& solid_;
   std::vector<std::uint32_t> order_;  ///< allowed tetrahedra, the most confident first
   std::vector<std::uint32_t> rank_;   ///< place in order_, kNone if not allowed
   std::vector<std::uint8_t> listed_, visited_;
+  std::uint32_t additions_ = 0;
+  std::vector<std::uint32_t> changed_at_;                          ///< by vertex: the last addition there
+  std::vector<Refusal> refusal_;                                   ///< by tetrahedron: the last one
   std::vector<std::uint32_t> vertex_of_body_;                      ///< by body: its smallest section vertex
   std::vector<std::array<std::vector<std::uint32_t>, 2>> wished_;  ///< by wish and side: ground triangles
   std::priority_queue<std::uint32_t, std::vector<std::uint32_t>, std::greater<>> queue_;
@@ -283,8 +315,15 @@ class SimpleGrowth {
 
 GrowthResult grow_simply(const CellComplex& complex, const Ground& ground,
                          const std::vector<std::uint8_t>& allowed, std::span<const std::int32_t> confidence,
+                         const GrowthLimits& limits, GrowingSolid& solid) {
+  return SimpleGrowth(complex, ground, allowed, confidence, limits, solid).run();
+}
+
+GrowthResult grow_simply(const CellComplex& complex, const Ground& ground,
+                         const std::vector<std::uint8_t>& allowed, std::span<const std::int32_t> confidence,
                          const GrowthLimits& limits) {
-  return SimpleGrowth(complex, ground, allowed, confidence, limits).run();
+  GrowingSolid solid(complex, ground);
+  return grow_simply(complex, ground, allowed, confidence, limits, solid);
 }
 
 }  // namespace crossloft

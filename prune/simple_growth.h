@@ -23,6 +23,7 @@
 #include <vector>
 
 #include "cell_complex.h"
+#include "contact.h"
 #include "ground.h"
 #include "joins.h"
 
@@ -56,7 +57,12 @@ struct GrowthResult {
 
 /// Grows over the tetrahedra with allowed[t] != 0. Tetrahedra of equal confidence go by their sorted
 /// vertices, so the result does not depend on their numbers. O(n log n) and a few rounds over those put off.
-/// REQUIRES: an allowed tetrahedron has no external facet.
+/// REQUIRES: an allowed tetrahedron has no external facet; `solid` is the ground alone. It is what has grown
+/// then.
+GrowthResult grow_simply(const CellComplex& complex, const Ground& ground,
+                         const std::vector<std::uint8_t>& allowed, std::span<const std::int32_t> confidence,
+                         const GrowthLimits& limits, GrowingSolid& solid);
+/// The same, of which only the result is wanted.
 GrowthResult grow_simply(const CellComplex& complex, const Ground& ground,
                          const std::vector<std::uint8_t>& allowed, std::span<const std::int32_t> confidence,
                          const GrowthLimits& limits);

@@ -19,6 +19,23 @@ constexpr std::uint8_t kGround = 4;     ///< the tetrahedron has an internal gro
 constexpr std::uint8_t kCutOff = 5;     ///< the path is broken, another one is looked for
 constexpr std::uint8_t kUnreached = 6;  ///< no path to the ground
 
+using Corners = std::uint16_t;  ///< a bit for each
+
+/// [facet]: its corners.
+constexpr std::array<Corners, 4> corners_of_facets() {
+  std::array<Corners, 4> table{};
+  for (unsigned i = 0; i < 4; ++i)
+    for (unsigned corner = 0; corner < kCorners; ++corner)
+      table[i] |= static_cast<Corners>((kCornerFacets[corner] >> i & 1U) << corner);
+  return table;
+}
+constexpr auto kCornersOf = corners_of_facets();
+
+template <class Visit>
+void for_each(unsigned corners, Visit visit) {
+  for (; corners != 0; corners &= corners - 1) visit(static_cast<unsigned>(__builtin_ctz(corners)));
+}
+
 class SolidityForest {
  public:
   SolidityForest(const CellComplex& complex, std::vector<std::uint8_t>& kept)
@@ -27,6 +44,7 @@ class SolidityForest {
   void run() {
     plant();
     drop_unreached();
+    reached_ = {};
     while (!falling_.empty()) {
       const std::uint32_t t = falling_.back();
       falling_.pop_back();
@@ -52,17 +70,50 @@ class SolidityForest {
     }
   }
 
-  /// First parents, breadth first from the ground so that paths are short.
+  /// First parents, nearly breadth first from the ground so that paths are short. Tetrahedra at a time: many
+  /// of their corners are reached together.
   void plant() {
+    std::vector<Corners> told(mesh_.size(), 0);  // reached, and their neighbours have been told
+    std::vector<std::uint32_t> list;
+    reached_.assign(mesh_.size(), 0);
     for (std::uint32_t t = 0; t < mesh_.size(); ++t) {
       if (kept_[t] == 0) continue;
-      for (std::uint8_t corner = 0; corner < kCorners; ++corner) {
-        if (!is_on_ground(complex_, t, corner)) continue;
-        parent({t, corner}) = kGround;
-        queue_.push_back({t, corner});
+      for (unsigned i = 0; i < 4; ++i)
+        if (complex_.facets[t][i] == FacetKind::internal) reached_[t] |= kCornersOf[i];
+      for_each(reached_[t], [&](unsigned corner) { parent_[t][corner] = kGround; });
+      if (reached_[t] != 0) list.push_back(t);
+    }
+    for (std::size_t head = 0; head < list.size(); ++head) {
+      const std::uint32_t t = list[head];
+      const auto news = static_cast<Corners>(reached_[t] & ~told[t]);
+      told[t] |= news;
+      for (unsigned i = 0; i < 4; ++i) {
+        const std::uint32_t n = mesh_.neighbours[t][i];
+        if ((news & kCornersOf[i]) == 0 || n == kNone || kept_[n] == 0) continue;
+        const bool is_listed = reached_[n] != told[n];
+        if (tell(t, i, news, n) && !is_listed) list.push_back(n);
       }
     }
-    grow(kUnreached);
+  }
+
+  /// Tells n, across facet i of t, what has been reached there; true if that is new.
+  bool tell(std::uint32_t t, unsigned i, Corners news, std::uint32_t n) {
+    const auto& from = mesh_.vertices[t];
+    const auto& to = mesh_.vertices[n];
+    const auto back = static_cast<std::uint8_t>(facet_towards(mesh_, n, t));
+    if ((kCornersOf[back] & ~reached_[n]) == 0) return false;
+    std::array<unsigned, 4> slot{};
+    for (const std::uint8_t k : kFacetSlots[i]) slot[k] = slot_of(to, from[k]);
+    Corners there = 0;
+    for_each(news & kCornersOf[i], [&](unsigned corner) {
+      const auto& ends = kEdgeSlots[corner < 4 ? 0 : corner - 4];
+      there |=
+          static_cast<Corners>(1U << (corner < 4 ? slot[corner] : kEdgeCorner[slot[ends[0]]][slot[ends[1]]]));
+    });
+    there &= static_cast<Corners>(~reached_[n]);
+    reached_[n] |= there;
+    for_each(there, [&](unsigned corner) { parent_[n][corner] = back; });
+    return there != 0;
   }
 
   /// Breadth-first search from queue_ over the nodes in the given state; empties the queue.
@@ -79,10 +130,9 @@ class SolidityForest {
 
   void drop_unreached() {
     for (std::uint32_t t = 0; t < mesh_.size(); ++t) {
-      if (kept_[t] == 0) continue;
-      for (std::uint8_t corner = 0; corner < kCorners; ++corner) {
-        if (parent({t, corner}) == kUnreached && is_grounded(complex_, t, corner)) drop(t);
-      }
+      unsigned asked = 0b1111;
+      for (unsigned e = 0; e < 6; ++e) asked |= (complex_.edges[t][e] != EdgeKind::free ? 1U : 0U) << (4 + e);
+      if ((asked & ~unsigned{reached_[t]}) != 0) drop(t);
     }
   }
 
@@ -132,6 +182,7 @@ class SolidityForest {
   const TetMesh& mesh_;
   std::vector<std::uint8_t>& kept_;
   std::vector<std::array<std::uint8_t, kCorners>> parent_;
+  std::vector<Corners> reached_;  ///< by tetrahedron; while the forest is planted
   std::vector<Node> queue_;
   std::vector<Node> cut_off_;
   std::vector<std::uint32_t> falling_;

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <cstring>
 
 #include "cell_complex.h"
 
@@ -139,18 +140,35 @@ inline bool is_on_ground(const CellComplex& complex, std::uint32_t t, unsigned c
   return false;
 }
 
+/// Kinds side by side, a byte for each: all of a tetrahedron are asked at once, as nearly all are asked
+/// often.
+template <class Kind, std::size_t n>
+std::uint64_t bytes_of(const std::array<Kind, n>& kinds) {
+  static_assert(sizeof(Kind) == 1 && n <= 8);
+  std::uint64_t bytes = 0;
+  std::memcpy(&bytes, kinds.data(), n);
+  return bytes;
+}
+inline constexpr std::uint64_t kEachByte = 0x0101010101010101;
+static_assert(static_cast<int>(FacetKind::internal) == 1 && static_cast<int>(FacetKind::external) == 2);
+static_assert(static_cast<int>(EdgeKind::contour) == 1 && static_cast<int>(EdgeKind::internal) == 2 &&
+              static_cast<int>(EdgeKind::external) == 3);
+
 /// True iff a triangle of t is within a section.
 inline bool stands_on_section(const CellComplex& complex, std::uint32_t t) {
-  bool stands = false;  // without branches, which one it is can't be predicted
-  for (const FacetKind kind : complex.facets[t]) stands |= kind == FacetKind::internal;
-  return stands;
+  return (bytes_of(complex.facets[t]) & kEachByte) != 0;
 }
 
 /// True iff an edge of t is within a section, not on a contour.
 inline bool has_inner_edge(const CellComplex& complex, std::uint32_t t) {
-  bool has = false;
-  for (const EdgeKind kind : complex.edges[t]) has |= kind == EdgeKind::internal;
-  return has;
+  const std::uint64_t kinds = bytes_of(complex.edges[t]);
+  return (kinds >> 1 & ~kinds & kEachByte) != 0;
+}
+
+/// True iff a triangle or an edge of t is outside of a section.
+inline bool is_external(const CellComplex& complex, std::uint32_t t) {
+  const std::uint64_t kinds = bytes_of(complex.edges[t]);
+  return ((bytes_of(complex.facets[t]) >> 1 | (kinds >> 1 & kinds)) & kEachByte) != 0;
 }
 
 }  // namespace crossloft

@@ -200,18 +200,36 @@ Result<Done> Pipeline::build(CellInHand& hand, CellState& state) const {
   return Done{};
 }
 
+/// As it was left waiting, or built; nothing if there is nothing that could be kept.
+Result<std::unique_ptr<CellInHand>> Pipeline::take_in_hand(CellId id, CellState& state) const {
+  const bool is_built = state.waiting != nullptr;
+  auto hand = is_built ? std::move(state.waiting) : std::make_unique<CellInHand>();
+  hand->id = id;
+  hand->ids = inner_faces(id);
+  hand->faces = cell_faces(id, hand->ids);
+  if (is_built) return hand;
+  if (!has_section(hand->faces)) return std::unique_ptr<CellInHand>();
+  if (auto done = build(*hand, state); !done) return done.error();
+  if (hand->built.complex.mesh.size() == 0) return std::unique_ptr<CellInHand>();
+  return hand;
+}
+
 Result<Done> Pipeline::prune_cell(CellId id, CellState& state) {
-  CellInHand hand;
-  hand.id = id;
-  hand.ids = inner_faces(id);
-  hand.faces = cell_faces(id, hand.ids);
   state.due = state.undivided = false;
-  if (!has_section(hand.faces)) return Done{};
-  if (auto done = build(hand, state); !done) return done;
-  if (hand.built.complex.mesh.size() == 0) return Done{};
+  auto taken = take_in_hand(id, state);
+  if (!taken) return taken.error();
+  if (!*taken) return Done{};
+  CellInHand& hand = **taken;
   if (!state.questions.empty()) return answer(hand, state);
   if (auto done = divide(hand, state); !done) return done;
   Stopwatch watch;
+  // Where planes meet, samples are wanted for nothing but what is covered.
+  if (state.undivided && is_in(InCells::automatic, id)) {
+    cover_by_joint(hand);
+    state.pruning_seconds += watch.lap();
+    state.waiting = std::move(taken).value();
+    return Done{};
+  }
   // Joins in doubt wait for the points.
   const bool asks = is_in(options_.natural.look_around, id) && !state.undivided;
   hand.shape.field = asks ? field_.get() : nullptr;
@@ -222,8 +240,16 @@ Result<Done> Pipeline::prune_cell(CellId id, CellState& state) {
   take_pruned(hand, pruned, state);
   if (!may_take_samples(state, hand.faces) && !state.undivided && !state.lacks_roof)
     state.triangulation.reset();
-  if (observer_) state.built = std::move(hand.built), state.pruned = std::move(pruned);
+  if (state.undivided)
+    state.waiting = std::move(taken).value();
+  else if (observer_)
+    state.built = std::move(hand.built), state.pruned = std::move(pruned);
   return Done{};
+}
+
+/// All that a solid subset can cover.
+void Pipeline::cover_by_joint(const CellInHand& hand) {
+  cover(hand.faces, hand.ids, ground_under(hand.built, prune(hand.built.complex, PruneMode::joint).kept));
 }
 
 void Pipeline::take_pruned(const CellInHand& hand, PruneResult& pruned, CellState& state) {
@@ -243,8 +269,10 @@ void Pipeline::take_pruned(const CellInHand& hand, PruneResult& pruned, CellStat
   const bool ask_joint =
       samples_may_come_ && options_.mode == PruneMode::natural && is_near_branching(hand.ids) &&
       !(topology.bare == 0 && topology.bad_links == 0 && has_ground_everywhere(cell.complex, pruned.kept));
-  cover(hand.faces, hand.ids,
-        ask_joint ? ground_under(cell, prune(cell.complex, PruneMode::joint).kept) : state.ground);
+  if (ask_joint)
+    cover_by_joint(hand);
+  else
+    cover(hand.faces, hand.ids, state.ground);
 }
 
 /// Whether samples may be wanted in a cell that has been pruned; what is covered from its other sides is not
@@ -332,7 +360,8 @@ Result<Done> Pipeline::add_samples() {
   }
   for (std::uint32_t f = 0; f < samples.size(); ++f)
     if (!samples[f].empty())
-      for (const CellId c : arrangement_->cells_of(FaceId{f})) cells_[c.value].due = true;
+      for (const CellId c : arrangement_->cells_of(FaceId{f}))
+        cells_[c.value].due = true, cells_[c.value].waiting.reset();
   for (CellState& cell : cells_) {
     cell.due |= cell.undivided;
     if (!cell.due) cell.triangulation.reset();

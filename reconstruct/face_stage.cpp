@@ -12,6 +12,8 @@ namespace crossloft {
 void CellState::renumber(std::span<const std::uint32_t> number) {
   if (triangulation) triangulation->renumber(number);
   for (std::uint32_t& v : built.vertices) v = number[v];
+  if (waiting)
+    for (std::uint32_t& v : waiting->built.vertices) v = number[v];
   crossloft::renumber(bridges, number);
   for (auto& tet : tets)
     for (std::uint32_t& v : tet) v = number[v];

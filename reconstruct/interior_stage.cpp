@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "../prune/confidence.h"
 #include "../prune/interior_places.h"
@@ -73,12 +74,13 @@ Result<Done> Pipeline::divide(CellInHand& hand, CellState& state) const {
   for (std::uint32_t round = 0; round < kRounds; ++round) {
     Stopwatch watch;
     const double least = std::max(kLeastOfWay, options_.natural.alone_confidence);
-    const std::vector<Vec3> places =
-        interior_places(hand.built.complex, hand.shape, *hand.ground, as_integer(least));
+    if (hand.places.empty())
+      hand.places = interior_places(hand.built.complex, hand.shape, *hand.ground, as_integer(least));
     state.pruning_seconds += watch.lap();
-    state.undivided = !places.empty() && samples_may_come_ && is_near_branching(hand.ids);
-    if (places.empty() || state.undivided) return Done{};
-    const std::vector<LatticePoint> points = points_at(places, *arrangement_, hand.id, state.inside);
+    state.undivided = !hand.places.empty() && samples_may_come_ && is_near_branching(hand.ids);
+    if (hand.places.empty() || state.undivided) return Done{};
+    const std::vector<LatticePoint> points =
+        points_at(std::exchange(hand.places, {}), *arrangement_, hand.id, state.inside);
     if (points.empty()) return Done{};
     for (const LatticePoint& p : points) {
       state.interior.push_back(static_cast<std::uint32_t>(numbering_.points.size() + state.inside.size()));

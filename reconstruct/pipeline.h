@@ -56,6 +56,18 @@ struct InsidePoint {
   std::uint32_t round = 0;  ///< of dividing, in which it came
 };
 
+/// What pruning a cell starts from.
+struct CellInHand {
+  CellId id;
+  std::vector<FaceId> ids;  ///< faces not on the box
+  std::vector<CellFace> faces;
+  BuiltCell built;
+  std::optional<Ground> ground;
+  CellShape shape;           ///< mode natural
+  CellMemory memory;         ///< of the shape
+  std::vector<Vec3> places;  ///< of points inside that it waits for
+};
+
 /// A cell while it is worked on, and what it leaves behind.
 struct CellState {
   std::unique_ptr<CellTriangulation> triangulation;  ///< kept only while points may come
@@ -79,23 +91,13 @@ struct CellState {
   std::vector<std::uint32_t> interior;  ///< in step: their numbers, ascending
   BuiltCell built;                      ///< only for an observer
   PruneResult pruned;
-  bool may_branch = false;  ///< samples are wanted if it lacks something
-  bool lacks_roof = false;  ///< handles had to be taken out of it: samples over holes are wanted
-  bool due = true;          ///< to be pruned: not yet done, or its faces have changed
-  bool undivided = false;   ///< pruned without the points inside that it wants: samples may come first
+  bool may_branch = false;              ///< samples are wanted if it lacks something
+  bool lacks_roof = false;              ///< handles had to be taken out of it: samples over holes are wanted
+  bool due = true;                      ///< to be pruned: not yet done, or its faces have changed
+  bool undivided = false;               ///< without the points inside that it wants: samples may come first
+  std::unique_ptr<CellInHand> waiting;  ///< the cell as it is until then, if it is undivided
 
   void renumber(std::span<const std::uint32_t> number);
-};
-
-/// What pruning a cell starts from.
-struct CellInHand {
-  CellId id;
-  std::vector<FaceId> ids;  ///< faces not on the box
-  std::vector<CellFace> faces;
-  BuiltCell built;
-  std::optional<Ground> ground;
-  CellShape shape;    ///< mode natural
-  CellMemory memory;  ///< of the shape
 };
 
 /// The tetrahedra of all cells and what the cells know of their facets.
@@ -161,6 +163,8 @@ class Pipeline {
   std::vector<CellFace> cell_faces(CellId id, std::span<const FaceId> ids) const;
   Result<Done> prune_due_cells();
   Result<Done> prune_cell(CellId id, CellState& state);
+  Result<std::unique_ptr<CellInHand>> take_in_hand(CellId id, CellState& state) const;
+  void cover_by_joint(const CellInHand& hand);
   Result<Done> check_layer(std::span<const CellFace> faces, const BuiltCell& layer) const;
   Result<BuiltCell> triangulate(std::span<const CellFace> faces, CellState& state) const;
   Result<Done> build(CellInHand& hand, CellState& state) const;

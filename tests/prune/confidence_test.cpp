@@ -124,6 +124,32 @@ TEST_CASE("random cells: the definition, within rounding") {
   CHECK(negative > 100);
 }
 
+TEST_CASE("random cells: confidences are in their bounds, and are these once they are known") {
+  std::size_t near_sections = 0, far = 0;
+  for (std::uint32_t seed = 0; seed < 150; ++seed) {
+    CAPTURE(seed);
+    std::mt19937 random(seed);
+    PlacedCell cell = placed_cell(seed);
+    if (seed % 2 != 0) cell.shape = turned(cell.shape, random);
+    CellMemory memory;
+    cell.shape.memory = &memory;
+    const Ground ground(cell.complex);
+    ConfidenceMeter meter(cell.complex, ground, cell.shape);
+    for (std::uint32_t t = 0; t < cell.complex.mesh.size(); ++t) {
+      const ConfidenceBounds bounds = meter.bounds(t);
+      const std::int32_t confidence = meter.measure(t);
+      CHECK(bounds.low <= confidence);
+      CHECK(confidence <= bounds.high);
+      near_sections += bounds.low > -kCertain;
+      far += bounds.high < kCertain;
+      CHECK(meter.bounds(t).low == confidence);
+      CHECK(meter.bounds(t).high == confidence);
+    }
+  }
+  CHECK(near_sections > 100);
+  CHECK(far > 100);
+}
+
 TEST_CASE("random cells: neither numbers nor slots matter, to the last bit") {
   for (std::uint32_t seed = 200; seed < 260; ++seed) {
     CAPTURE(seed);

@@ -181,11 +181,33 @@ class BoostReferee {
   boost::adjacency_list<boost::vecS, boost::vecS, boost::directedS, Vertex, Arc> graph_;
 };
 
+/// Terminals told in ranges, closer each time: the same, and not all are asked for to the end.
+struct RoughPrices {
+  explicit RoughPrices(const CutProblem& of) : problem(of), step_of(of.terminal.size(), kNone) {
+    for (const std::int64_t x : problem.terminal) most = std::max(most, std::abs(x));
+  }
+
+  PriceRange at(std::uint32_t t, unsigned step) {
+    CHECK(step_of[t] + 1 == step);  // in turn, once each
+    step_of[t] = step;
+    const std::int64_t x = problem.terminal[t];
+    const std::int64_t off = step == 0 ? most : step == 1 ? (most / 2 ^ t) % (most / 2 + 1) : 0;
+    return {std::max(-most, x - off / (1 + t % 3)), std::min(most, x + off / (1 + t % 5))};
+  }
+
+  const CutProblem& problem;
+  std::vector<std::uint32_t> step_of;
+  std::int64_t most = 0;
+};
+
 void check_answer(const CutProblem& problem, const Answer& answer) {
   const MinCut cut = minimum_cut(problem);
   CHECK(cut.value == answer.value);
   CHECK(cut.kept == answer.smallest);
   CHECK(smallest_cheapest(problem) == answer.smallest);
+  RoughPrices prices(problem);
+  CHECK(smallest_cheapest(problem, [&](std::uint32_t t, unsigned step) { return prices.at(t, step); }) ==
+        answer.smallest);
   CHECK(value_of(problem, cut.kept) == cut.value);
   CHECK(verify(problem, cut));
 }
@@ -217,6 +239,23 @@ TEST_CASE("small graphs: the smallest of all best subsets") {
   }
   CHECK(census.proper > 100);
   CHECK(census.tied > 100);
+}
+
+TEST_CASE("what a rough price decides, or neighbours do, is not asked for its own") {
+  std::size_t asked = 0, all = 0;
+  for (std::uint32_t seed = 0; seed < 40; ++seed) {
+    std::mt19937 random(seed);
+    const Neighbours graph = random_graph(300, 3000, random);
+    const CutProblem problem = weighted(graph, {3, 20, 0}, random);
+    RoughPrices prices(problem);
+    const Kept kept =
+        smallest_cheapest(problem, [&](std::uint32_t t, unsigned step) { return prices.at(t, step); });
+    CHECK(kept == minimum_cut(problem).kept);
+    asked += static_cast<std::size_t>(std::count(prices.step_of.begin(), prices.step_of.end(), 2U));
+    all += kept.size();
+  }
+  CHECK(asked < all / 2);
+  CHECK(asked > 0);
 }
 
 TEST_CASE("random graphs and tubes: as Boost's") {

@@ -24,7 +24,8 @@ using namespace crossloft::test;
 NaturalOptions options_for(std::uint32_t seed) {
   NaturalOptions options;
   if (seed % 3 == 0) options.join_confidence = -0.1;
-  if (seed % 3 == 1) options.join_confidence = 0.3, options.dome_confidence = 0.3, options.smooth_weight = 0.2;
+  if (seed % 3 == 1)
+    options.join_confidence = 0.3, options.dome_confidence = 0.3, options.smooth_weight = 0.2;
   if (seed % 3 == 2) options.join_confidence = -1, options.dome_confidence = 0.9, options.smooth_weight = 3;
   return options;
 }
@@ -108,6 +109,28 @@ TEST_CASE("random cells: no handle, no hole, all within R1 and the cheapest soli
   CHECK(grown > 20);
   CHECK(grown < 380);
   CHECK(joins > 50);
+}
+
+TEST_CASE("random cells: where natural is solid and covers the sections, so does joint") {
+  std::size_t solid = 0, bare = 0;
+  for (std::uint32_t seed = 0; seed < 400; ++seed) {
+    CAPTURE(seed);
+    const PlacedCell cell = placed_cell(seed);
+    const PruneResult natural = prune_cell(cell, options_for(seed));
+    const CellTopology& topology = natural.natural.after;
+    const bool is_solid =
+        topology.bare == 0 && topology.bad_links == 0 && has_ground_everywhere(cell.complex, natural.kept);
+    const Flags joint = prune(cell.complex, PruneMode::joint).kept;
+    const Ground ground(cell.complex);
+    std::size_t covered = 0;
+    for (std::uint32_t g = 0; g < ground.size(); ++g) covered += joint[ground.facet(g).tet];
+    if (is_solid) CHECK(covered == ground.size());
+    solid += is_solid ? 1U : 0U;
+    bare += covered < ground.size() ? 1U : 0U;
+  }
+  MESSAGE("solid " << solid << ", bare with joint " << bare);
+  CHECK(solid > 20);
+  CHECK(bare > 20);
 }
 
 TEST_CASE("random cells: the result does not depend on the numbers of the tetrahedra nor on their slots") {

@@ -95,19 +95,26 @@ TEST_CASE("what one tetrahedron opens to") {
   CHECK(hole.kind() == Opening::wide);
 }
 
+static Flags refilled(const CellComplex& cell, const Flags& allowed, const Flags& kept) {
+  const Ground ground(cell);
+  GrowingSolid solid(cell, ground);
+  for (std::uint32_t t = 0; t < kept.size(); ++t)
+    if (kept[t] != 0) solid.add(t);
+  refill_cracks(cell, ground, allowed, solid);
+  return solid.kept();
+}
+
 TEST_CASE("random solids: cracks are filled only where the solid gets no worse") {
   std::size_t filled = 0, left = 0;
   for (std::uint32_t seed = 200; seed < 500; ++seed) {
     CAPTURE(seed);
     std::mt19937 random(seed);
     const CellComplex cell = seed % 2 == 0 ? random_cell(seed) : deep_cell(seed);
-    const Ground ground(cell);
     const BruteSolid brute(cell);
     const Flags allowed = r1_of(cell);
-    Flags kept = allowed;
-    for (std::uint8_t& k : kept) k = k != 0 && random() % 10 < 8;
-    const Flags before = kept;
-    refill_cracks(cell, ground, allowed, kept);
+    Flags before = allowed;
+    for (std::uint8_t& k : before) k = k != 0 && random() % 10 < 8;
+    const Flags kept = refilled(cell, allowed, before);
     const BruteSolid::Counts was = brute.count(before), is = brute.count(kept);
     CHECK(is.genus <= was.genus);
     CHECK(is.voids <= was.voids);
@@ -123,7 +130,7 @@ TEST_CASE("random solids: cracks are filled only where the solid gets no worse")
     const CellComplex other = shuffled(cell, random, from);
     Flags moved;
     for (const std::uint32_t t : from) moved.push_back(before[t]);
-    refill_cracks(other, Ground(other), r1_of(other), moved);
+    moved = refilled(other, r1_of(other), moved);
     for (std::uint32_t t = 0; t < from.size(); ++t) CHECK(moved[t] == kept[from[t]]);
   }
   MESSAGE("filled " << filled << ", left " << left);
@@ -140,9 +147,12 @@ TEST_CASE("after growth: what is missing is filled as a whole where that makes n
     const Flags allowed = r1_of(cell);
     std::vector<std::int32_t> confidence(allowed.size());
     for (std::int32_t& c : confidence) c = static_cast<std::int32_t>(random() % 100);
-    Flags kept = grow_simply(cell, ground, allowed, confidence, {0, 0, {}}).kept;
-    refill_cracks(cell, ground, allowed, kept);
-    const BruteSolid::Counts counts = BruteSolid(cell).count(kept);
+    GrowingSolid solid(cell, ground);
+    const Flags grown = grow_simply(cell, ground, allowed, confidence, {0, 0, {}}, solid).kept;
+    CHECK(grown == solid.kept());
+    refill_cracks(cell, ground, allowed, solid);
+    CHECK(solid.kept() == refilled(cell, allowed, grown));
+    const BruteSolid::Counts counts = BruteSolid(cell).count(solid.kept());
     CHECK(counts.genus == 0);
     CHECK(counts.voids == 0);
   }

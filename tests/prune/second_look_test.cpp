@@ -31,7 +31,9 @@ struct Grown {
     for (std::uint8_t& x : allowed) x = x != 0 && random() % 100 >= 10;
     kept = grow_simply(cell, ground, allowed, confidence, {kHigh, 0}).kept;
   }
-  SecondLook look() const { return {cell, ground, candidates, kept, confidence}; }
+  SecondLook look() const {
+    return {cell, ground, candidates, kept, [this](std::uint32_t t) { return confidence[t]; }};
+  }
 
   std::mt19937 random;
   const CellComplex cell;
