@@ -281,8 +281,8 @@ double least_triangle(const WallSection& s) {
   const std::vector<std::uint32_t> contours = contours_of(s.walls);
   std::vector<Spread> spreads(contours.size());
   const auto spread_of = [&](const WallEdge& w) -> Spread& {
-    return spreads[static_cast<std::size_t>(
-        std::lower_bound(contours.begin(), contours.end(), w.contour) - contours.begin())];
+    return spreads[static_cast<std::size_t>(std::lower_bound(contours.begin(), contours.end(), w.contour) -
+                                            contours.begin())];
   };
   for (const WallEdge& w : s.walls) {
     Spread& c = spread_of(w);

@@ -49,8 +49,8 @@ void drop_flat(WallSection& section, double diagonal);
 /// the section's contours the least; infinity if there is none. O(w log w).
 double least_triangle(const WallSection& section);
 
-/// False if no contour of a section with that least triangle can be dropped: points within a width w of a line
-/// span triangles of less than 8 w diagonal, and roundings are far below the room that is left.
+/// False if no contour of a section with that least triangle can be dropped: points within a width w of a
+/// line span triangles of less than 8 w diagonal, and roundings are far below the room that is left.
 bool may_be_flat(double least_triangle, double diagonal);
 
 /// The contours that have a wall, ascending.

@@ -20,8 +20,8 @@ constexpr double kUlp = 0x1p-52;
 constexpr double kLongest = 1e-6;  ///< of the diagonal: a step, where the last place is not coarser still
 constexpr double kFewPlaces = 8;
 /// Pairs of triangles asked for moves: at least so many, and so many for each that was asked to find what
-/// crosses. Where thousands of needles run along one line, each move asks millions; a set in 5000 whose size is
-/// a millionth of its distance from the origin, or less, would take minutes.
+/// crosses. Where thousands of needles run along one line, each move asks millions; a set in 5000 whose size
+/// is a millionth of its distance from the origin, or less, would take minutes.
 constexpr std::uint64_t kLeastEffort = 1U << 26;
 constexpr std::uint64_t kEffort = 2;
 
@@ -47,7 +47,8 @@ class Mender {
         bad = find_bad();
       }
     result_.left = bad.size();
-    if (!bad.empty() && !context_.cancelled()) result_.merged = merge_crossing_places(surface_, context_).merged;
+    if (!bad.empty() && !context_.cancelled())
+      result_.merged = merge_crossing_places(surface_, context_).merged;
     for (std::size_t v = 0; v < points_.size(); ++v) {
       if (points_[v] == written[v]) continue;
       ++result_.moved;
@@ -77,7 +78,6 @@ class Mender {
     return rounded_[c[0]] != 0 || rounded_[c[1]] != 0 || rounded_[c[2]] != 0;
   }
   bool is_bad(std::uint32_t s, std::uint32_t t) const {
-    ++asked_;
     return meeting(corners(s), corners(t)) != Meeting::none;
   }
 
@@ -90,6 +90,7 @@ class Mender {
     const BoxTree tree(boxes);
     std::vector<Pair> bad;
     const auto look_at = [&](std::uint32_t s, std::uint32_t t) {
+      ++asked_;
       if (is_bad(s, t)) bad.push_back({std::min(s, t), std::max(s, t)});
     };
     tree.for_pairs([&](std::uint32_t i, std::uint32_t j) { look_at(suspects[i], suspects[j]); });
@@ -182,8 +183,9 @@ class Mender {
       if (count >= enough) return enough;
       count += collinear(corners(t)) ? 1U : 0U;
       tree.for_overlaps(bounds_of(corners(t)), [&](std::uint32_t s) {
-        if (s == t || count >= enough || (s < t && std::binary_search(around.begin(), around.end(), s))) return;
-        count += is_bad(s, t) ? 1U : 0U;
+        if (s == t || (s < t && std::binary_search(around.begin(), around.end(), s))) return;
+        ++asked_;  // of all that meet, in whatever order, so that the effort is the same everywhere
+        if (count < enough) count += is_bad(s, t) ? 1U : 0U;
       });
     }
     return count;
@@ -195,7 +197,7 @@ class Mender {
   std::span<const std::uint8_t> rounded_;
   const Context& context_;
   Lists umbrellas_;  ///< by vertex
-  mutable std::uint64_t asked_ = 0;  ///< pairs of triangles
+  mutable std::uint64_t asked_ = 0;  ///< pairs of triangles whose boxes meet
   std::uint64_t most_asked_ = 0;
   Mending result_;
 };

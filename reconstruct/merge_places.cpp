@@ -20,18 +20,18 @@ using Pair = std::array<std::uint32_t, 2>;
 
 /// Around more triangles than these it is not asked what a merge leaves: it would take too long.
 constexpr std::size_t kLargest = 100;
-constexpr std::size_t kUnknown = static_cast<std::size_t>(-1);
+constexpr std::size_t kUnknown = 1000;
+/// Pairs of triangles that are asked to choose merges; from then on clusters collapse.
+constexpr std::uint64_t kMostAsked = 1U << 26;
 
 /// Of all vertices at one place to another one.
 struct Merge {
   Vec3 from, to;
-  std::size_t more = 0;  ///< pairs that cross beyond those before, 0 if fewer do
-  double length2 = 0;
+  double cost = 0;  ///< squared length; if no fewer pairs cross afterwards, times the square of how many more
 };
 
-/// By coordinates in the end: numbers depend on how the input is told.
 bool is_better(const Merge& a, const Merge& b) {
-  return std::tie(a.more, a.length2, a.from, a.to) < std::tie(b.more, b.length2, b.from, b.to);
+  return std::tie(a.cost, a.from, a.to) < std::tie(b.cost, b.from, b.to);
 }
 
 class Merger {
@@ -102,7 +102,11 @@ class Merger {
     touched_.assign(surface_.triangles.size(), 0);
     for (const auto& [s, t] : bad) {
       if (context_.cancelled()) return;
-      if (is_bad(s, t)) merge(best_merge(s, t));
+      if (!is_bad(s, t)) continue;
+      if (asked_ < kMostAsked)
+        merge(best_merge(s, t));
+      else
+        collapse(s, t);
     }
   }
 
@@ -117,13 +121,24 @@ class Merger {
     there.insert(there.end(), moving.begin(), moving.end());
   }
 
-  /// Two triangles that cross have four places at least.
-  Merge best_merge(std::uint32_t s, std::uint32_t t) {
+  /// Of both triangles' corners, ascending: three at least, as they have an inside in common.
+  std::vector<Vec3> places_of(std::uint32_t s, std::uint32_t t) const {
     std::vector<Vec3> places;
     for (const std::uint32_t c : {s, t})
       for (const Vec3& p : corners(c)) places.push_back(p);
     std::sort(places.begin(), places.end());
     places.erase(std::unique(places.begin(), places.end()), places.end());
+    return places;
+  }
+
+  /// So that what crosses in a tangle is at one place after a few rounds.
+  void collapse(std::uint32_t s, std::uint32_t t) {
+    const std::vector<Vec3> places = places_of(s, t);
+    for (std::size_t i = 1; i < places.size(); ++i) merge({places[i], places[0], 0});
+  }
+
+  Merge best_merge(std::uint32_t s, std::uint32_t t) {
+    const std::vector<Vec3> places = places_of(s, t);
     std::optional<Merge> best;
     for (const Vec3& from : places) try_merges(from, places, best);
     return *best;
@@ -137,8 +152,8 @@ class Merger {
       if (to == from) continue;
       for (const std::uint32_t v : vertices) points_[v] = to;
       const std::size_t after = count_bad(triangles);
-      const std::size_t more = after == kUnknown ? kUnknown : after < before ? 0 : after - before + 1;
-      const Merge merge{from, to, more, dot(to - from, to - from)};
+      const double more = after < before ? 1 : static_cast<double>(after - before + 2);
+      const Merge merge{from, to, more * more * dot(to - from, to - from)};
       if (!best || is_better(merge, *best)) best = merge;
     }
     for (const std::uint32_t v : vertices) points_[v] = from;
@@ -162,9 +177,12 @@ class Merger {
     for (std::size_t i = 0; i < triangles.size(); ++i) {
       const std::uint32_t t = triangles[i];
       tree_->for_overlaps(bounds_of(corners(t)), [&](std::uint32_t s) {
-        if (!std::binary_search(triangles.begin(), triangles.end(), s)) count += is_bad(s, t) ? 1U : 0U;
+        if (std::binary_search(triangles.begin(), triangles.end(), s)) return;
+        ++asked_;
+        count += is_bad(s, t) ? 1U : 0U;
       });
       for (std::size_t j = 0; j < i; ++j) count += is_bad(triangles[j], t) ? 1U : 0U;
+      asked_ += i;
     }
     return count;
   }
@@ -177,6 +195,7 @@ class Merger {
   std::map<Vec3, std::vector<std::uint32_t>> vertices_at_;
   std::vector<std::uint8_t> touched_;  ///< by triangle, in this round
   std::vector<std::uint8_t> merged_;   ///< by vertex
+  mutable std::uint64_t asked_ = 0;
   Merging result_;
 };
 

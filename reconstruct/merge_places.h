@@ -15,13 +15,14 @@ struct Merging {
 };
 
 /// For each pair of triangles that cross or overlap, as inspect/check.h counts them, one of their corners and
-/// all vertices at its place take the place of another of the six: the nearest after which fewer pairs cross,
-/// else one after which the fewest more do; and again until no pair is left. Triangles stay as they are by index,
-/// so that a manifold stays one; some have no area any more.
+/// all vertices at its place take the place of another of the six: a near one after which
+/// fewer pairs cross, or few more; and again until no pair is left. In tangles where too much would have to
+/// be asked for that, all six come to one place. Triangles stay as they are by index, so that a manifold
+/// stays one; some have no area any more.
 ///
-/// It ends: each merge leaves one place less, and triangles that share all places cross nowhere. All exact on
-/// the double coordinates. O(n log n) for n triangles and each round, of few where little crosses; a tangle of
-/// thousands of needles takes minutes. Source: our own.
+/// It ends: each merge leaves one place less, and triangles of fewer than three have no inside. All exact on
+/// the double coordinates. The same places for the same numbers of vertices and triangles. O(n log n) for n
+/// triangles and each round, of few where little crosses. Source: our own.
 Merging merge_crossing_places(Surface& surface, const Context& context = {});
 
 }  // namespace crossloft

@@ -69,7 +69,8 @@ struct StackReport {
 /// The result depends on the planes, their order in the file and window_vertices, not on the threads. Errors:
 /// usage for planes that are not parallel, with plane and line, and for options that ask all planes
 /// (NaturalOptions::divide and look_around = all); those of the source and the sink; those of reconstruct().
-/// Every plane is read twice, those between windows three times; more often only where windows do not fit and
+/// Every plane is read twice, those between windows three times, those with contours that may have no area
+/// once more; more often only where windows do not fit and
 /// are united. O(n log n) for n vertices.
 Result<StackReport> reconstruct_stack(SectionSource& source, SurfaceSink& sink,
                                       const StackOptions& options = {}, const Context& context = {});

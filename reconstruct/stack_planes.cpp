@@ -14,8 +14,8 @@ namespace {
 /// (frame_sections), so that no plane is parted.
 constexpr double kOneLevel = 2e-9;
 /// And those this near, as a fraction of the largest coordinate: offsets are sums of three rounded products
-/// with a rounded unit vector, off by less than 8 units of 2^-53 of it, and so are differences by twice that.
-constexpr double kRounding = 0x1p-49;
+/// with a rounded unit vector, off by less than 9 units of 2^-53 of it, and differences by less than 18.
+constexpr double kRounding = 0x1p-48;
 
 /// The normal as frames see it: parallel planes have the same one.
 struct Direction {
@@ -115,7 +115,7 @@ class Surveyor {
 
  private:
   void find_levels() {
-    const double near = kOneLevel * out_.wide.diagonal() + kRounding * largest_coordinate(out_.extent);
+    const double near = kOneLevel * diagonal_of(out_.wide) + kRounding * largest_coordinate(out_.wide);
     auto& positions = out_.positions;
     for (std::uint32_t r = 0; r < positions.size(); ++r)
       if (r == 0 || offsets_[positions[r]] - offsets_[positions[r - 1]] > near) out_.begin_of.push_back(r);
@@ -149,6 +149,7 @@ Result<StackPlanes> survey(SectionSource& source, const Context& context) {
     if (auto good = surveyor.take(std::move(plane).value()); !good) return good.error();
   }
   for (const std::uint32_t p : surveyor.in_doubt()) {
+    if (context.cancelled()) return make_error(ErrorCode::cancelled, "cancelled");
     auto plane = source.read(p);
     if (!plane) return plane.error();
     if (auto good = surveyor.take_again(p, std::move(plane).value()); !good) return good.error();

@@ -24,8 +24,8 @@ struct StackPlanes {
   }
 };
 
-/// Reads every plane once, those with contours that may have no area twice. Errors: those of the source, those of numbers and of contours that are not closed,
-/// and usage if a plane is not parallel to the first.
+/// Reads every plane once, those with contours that may have no area twice. Errors: those of the source,
+/// those of numbers and of contours that are not closed, and usage if a plane is not parallel to the first.
 Result<StackPlanes> survey(SectionSource& source, const Context& context);
 
 /// The planes of levels [first, last), as a part of the whole. Error: of the source.

@@ -49,8 +49,8 @@ std::string refused(const SectionSet& set, const Error& error) {
   return {};
 }
 
-/// How far a written point may be from its exact place, and be taken to be when it is projected: rounded, then
-/// mended.
+/// How far a written point may be from its exact place, and be taken to be when it is projected: rounded,
+/// then mended.
 double rounding(const Reconstruction& r) {
   double largest = 0;
   const auto add = [&](const std::vector<Vec3>& points) {

@@ -52,7 +52,8 @@ std::string surface_complaint(const StackReport& report, const Surface& surface)
   const CheckReport check = check_surface(surface);
   if (!check.good_topology()) return "no closed oriented manifold";
   if (check.crossings + check.overlaps != 0) return "triangles cross";
-  if (report.surface_triangles != surface.triangles.size() || report.surface_vertices != surface.points.size())
+  if (report.surface_triangles != surface.triangles.size() ||
+      report.surface_vertices != surface.points.size())
     return "the report's counts are not those of the surface";
   if (report.bodies + report.cavities != check.components.size() ||
       report.genus != static_cast<std::uint64_t>(check.genus))
