@@ -2,6 +2,7 @@
 /// Lists by key in two flat arrays; sorting by vertex.
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
@@ -29,6 +30,15 @@ struct Lists {
     return {items.data() + begin[key], begin[key + 1] - begin[key]};
   }
 };
+
+/// By vertex, the triangles around it, ascending.
+inline Lists umbrellas_of(std::size_t vertices, std::span<const std::array<std::uint32_t, 3>> triangles) {
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> found;
+  for (std::uint32_t t = 0; t < triangles.size(); ++t)
+    for (const std::uint32_t v : triangles[t]) found.emplace_back(v, t);
+  std::sort(found.begin(), found.end());
+  return Lists(vertices, found);
+}
 
 /// Sorts by the first vertex in linear time, then within the few that have the same one. first_vertex(item)
 /// is what items are compared by first.

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <utility>
 #include <vector>
 
 #include "../geom/box_tree.h"
@@ -36,7 +35,7 @@ class Mender {
     result_.found = result_.left = bad.size();
     if (bad.empty()) return result_;
     const std::vector<Vec3> written = points_;
-    list_umbrellas();
+    umbrellas_ = umbrellas_of(points_.size(), surface_.triangles);
     most_asked_ = asked_ + std::max(kLeastEffort, kEffort * asked_);
     const double place = last_place();
     const double longest = std::max(kLongest * bounds_of(points_).diagonal(), kFewPlaces * place);
@@ -99,14 +98,6 @@ class Mender {
         tree.for_overlaps(bounds_of(corners(t)), [&](std::uint32_t i) { look_at(suspects[i], t); });
     std::sort(bad.begin(), bad.end());
     return bad;
-  }
-
-  void list_umbrellas() {
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> found;
-    for (std::uint32_t t = 0; t < surface_.triangles.size(); ++t)
-      for (const std::uint32_t v : surface_.triangles[t]) found.emplace_back(v, t);
-    std::sort(found.begin(), found.end());
-    umbrellas_ = Lists(points_.size(), found);
   }
 
   /// Boxes with room for moves by `reach` of each corner.

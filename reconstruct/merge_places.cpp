@@ -43,7 +43,7 @@ class Merger {
     std::vector<Pair> bad = find_bad();
     result_.pairs = bad.size();
     if (bad.empty()) return result_;
-    list_umbrellas();
+    umbrellas_ = umbrellas_of(points_.size(), surface_.triangles);
     for (std::uint32_t v = 0; v < points_.size(); ++v) vertices_at_[points_[v]].push_back(v);
     merged_.assign(points_.size(), 0);
     for (; !bad.empty() && !context_.cancelled(); renew(bad)) merge_round(bad);
@@ -58,14 +58,6 @@ class Merger {
   }
   bool is_bad(std::uint32_t s, std::uint32_t t) const {
     return meeting(corners(s), corners(t)) != Meeting::none;
-  }
-
-  void list_umbrellas() {
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> found;
-    for (std::uint32_t t = 0; t < surface_.triangles.size(); ++t)
-      for (const std::uint32_t v : surface_.triangles[t]) found.emplace_back(v, t);
-    std::sort(found.begin(), found.end());
-    umbrellas_ = Lists(points_.size(), found);
   }
 
   void build_tree() {
