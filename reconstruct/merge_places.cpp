@@ -22,7 +22,7 @@ using Pair = std::array<std::uint32_t, 2>;
 constexpr std::size_t kLargest = 100;
 constexpr std::size_t kUnknown = 1000;
 /// Pairs of triangles that are asked to choose merges; from then on clusters collapse.
-constexpr std::uint64_t kMostAsked = 1U << 26;
+constexpr std::uint64_t kMostAsked = 1U << 24;
 
 /// Of all vertices at one place to another one.
 struct Merge {
