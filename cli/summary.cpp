@@ -43,9 +43,8 @@ void print_summary(Terminal& terminal, const Report& report) {
                  report.touching_copies);
   if (report.crossing_pairs != 0)
     terminal.print(
-        "mended       %llu pairs of triangles that crossed after rounding; %u vertices moved by up to %.3g, "
-        "%u "
-        "of them merged with others\n",
+        "mended       %llu pairs of triangles that crossed after rounding; %u vertices moved by up to "
+        "%.3g, %u of them merged with others\n",
         static_cast<unsigned long long>(report.crossing_pairs), report.mended_vertices, report.mending,
         report.merged_vertices);
   terminal.print("seconds      %.3g\n", report.seconds.total);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 
 #include "star.h"
 
@@ -33,7 +34,7 @@ constexpr auto kCornersOf = corners_of_facets();
 
 template <class Visit>
 void for_each(unsigned corners, Visit visit) {
-  for (; corners != 0; corners &= corners - 1) visit(static_cast<unsigned>(__builtin_ctz(corners)));
+  for (; corners != 0; corners &= corners - 1) visit(static_cast<unsigned>(std::countr_zero(corners)));
 }
 
 class SolidityForest {

@@ -19,8 +19,7 @@ constexpr double kUlp = 0x1p-52;
 constexpr double kLongest = 1e-6;  ///< of the diagonal: a step, where the last place is not coarser still
 constexpr double kFewPlaces = 8;
 /// Pairs of triangles asked for moves: at least so many, and so many for each that was asked to find what
-/// crosses. Where thousands of needles run along one line, each move asks millions; a set in 5000 whose size
-/// is a millionth of its distance from the origin, or less, would take minutes.
+/// crosses. Where thousands of needles run along one line, each move asks millions.
 constexpr std::uint64_t kLeastEffort = 1U << 26;
 constexpr std::uint64_t kEffort = 2;
 
