@@ -3,9 +3,10 @@
 // cut.
 //
 //   bench_topology [--first N] [--seeds N] [--case TEXT] [--rays N] [--divide WHERE] [--look-around WHERE]
-//                 [--branching all|auto|off] [--mesh FILE PLANES] [--verbose] [MODE...]
+//                 [--branching all|auto|off] [--mesh FILE PLANES] [--stacks] [--verbose] [MODE...]
 //                 default: seeds 1 to 10, all cases, 128 rays, modes joint and natural; with a mesh, which
-//                 may come several times, random planes through it instead of the cases
+//                 may come several times, random planes through it instead of the cases;
+//                 with --stacks parallel slices through the same solids, a direction for each seed
 //
 // A run is right if its genus (summed) and its number of surface components are those of the mesh. Per case
 // and mode: right runs, means of intersection over union and of the volume's error, the worst loss of IoU
@@ -195,6 +196,8 @@ bool read_arguments(int count, char** words, Arguments& arguments) {
     } else if (word == "--mesh" && i + 2 < count) {
       if (!read_mesh_case(words + i, arguments)) return false;
       i += 2;
+    } else if (word == "--stacks") {
+      arguments.cases = bench::stack_cases();
     } else if (word == "--verbose") {
       arguments.verbose = true;
     } else if (word == "--seeds" && !last) {
@@ -222,7 +225,7 @@ int main(int count, char** words) {
     std::fprintf(stderr,
                  "usage: bench_topology [--first N] [--seeds N] [--case TEXT] [--rays N] [--divide WHERE] "
                  "[--look-around WHERE] "
-                 "[--branching all|auto|off] [--mesh FILE PLANES] [--verbose] [MODE...]\n");
+                 "[--branching all|auto|off] [--mesh FILE PLANES] [--stacks] [--verbose] [MODE...]\n");
     return 2;
   }
   if (arguments.cases.empty()) arguments.cases = bench::topology_cases();

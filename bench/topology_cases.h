@@ -19,6 +19,9 @@ struct TopologyCase {
 /// Those of the table in prune/README.md.
 std::vector<TopologyCase> topology_cases();
 
+/// The same solids by 10, 16, 25 and 40 parallel slices; the seed gives the direction.
+std::vector<TopologyCase> stack_cases();
+
 /// A mesh of the user's, cut by `planes` random planes. Error: the file can't be read.
 Result<TopologyCase> mesh_case(const std::string& path, std::uint32_t planes);
 

@@ -76,6 +76,7 @@ Json to_json(const TopologyReport& t) {
           {"bodies_joined", t.bodies_joined},
           {"walls_opened", t.walls_opened},
           {"bridges", t.bridges},
+          {"bridge_handles", t.bridge_handles},
           {"open_edges", t.open_edges},
           {"walls", t.walls},
           {"voids", t.voids}};
@@ -201,6 +202,7 @@ std::string report_json(const Report& report, const ReportOrigin& origin, const 
 std::string report_json(const StackReport& r, const ReportOrigin& origin) {
   Json topology = to_json(r.topology);
   topology.erase("bridges");
+  topology.erase("bridge_handles");
   topology.erase("open_edges");
   Json json = head(origin);
   json["seconds"] = {{"total", r.seconds}};

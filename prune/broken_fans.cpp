@@ -10,7 +10,7 @@ std::vector<GapTet> fan_from(const TetMesh& mesh, Facet start, unsigned corner) 
   std::vector<GapTet> fan;
   Turn turn(start.tet, other_facet(start.facet, corner), start.facet);
   for (;;) {
-    fan.push_back({turn.tet(), turn.in(), turn.out()});
+    fan.push_back({turn.tet(), turn.in(), turn.out(), false, false});
     const std::uint32_t n = turn.next(mesh);
     if (n == kNone) return fan;
     turn.enter(mesh, n);
@@ -28,13 +28,17 @@ bool is_kept_whole(const TetMesh& mesh, const std::vector<std::uint8_t>& kept, F
   return false;
 }
 
-/// The fan without what is kept at its two ends; nothing if something is kept in between.
-std::vector<GapTet> only_gap(const std::vector<GapTet>& fan, const std::vector<std::uint8_t>& kept) {
-  const auto is_kept = [&](const GapTet& g) { return kept[g.tet] != 0; };
-  const auto first = std::find_if_not(fan.begin(), fan.end(), is_kept);
-  const auto last = std::find_if_not(fan.rbegin(), fan.rend(), is_kept).base();
-  if (std::any_of(first, last, is_kept)) return {};
-  return {first, last};
+/// What of a fan is not kept.
+std::vector<GapTet> gaps_of(const std::vector<GapTet>& fan, const std::vector<std::uint8_t>& kept) {
+  const auto is_open = [&](std::size_t i) { return i < fan.size() && kept[fan[i].tet] == 0; };
+  std::vector<GapTet> gaps;
+  for (std::size_t i = 0; i < fan.size(); ++i) {
+    if (!is_open(i)) continue;
+    gaps.push_back(fan[i]);
+    gaps.back().is_first = i == 0 || !is_open(i - 1);
+    gaps.back().is_last = !is_open(i + 1);
+  }
+  return gaps;
 }
 
 }  // namespace
@@ -52,7 +56,7 @@ std::vector<BrokenFan> broken_fans(const CellComplex& complex, const Ground& gro
       if (is_kept_whole(complex.mesh, kept, start, kEdgeCorner[i][j])) continue;
       const std::vector<GapTet> fan = fan_from(complex.mesh, start, kEdgeCorner[i][j]);
       const auto& v = complex.mesh.vertices[start.tet];
-      broken.push_back({{std::min(v[i], v[j]), std::max(v[i], v[j])}, {g, other}, only_gap(fan, kept)});
+      broken.push_back({{std::min(v[i], v[j]), std::max(v[i], v[j])}, {g, other}, gaps_of(fan, kept)});
     }
   return broken;
 }

@@ -18,15 +18,16 @@ namespace crossloft {
 /// A tetrahedron of a gap, by the two facets at the edge.
 struct GapTet {
   std::uint32_t tet = kNone;
-  std::uint8_t from = 0, to = 0;  ///< towards the fan's first and last ground triangle
+  std::uint8_t from = 0, to = 0;           ///< towards the fan's first and last ground triangle
+  bool is_first = false, is_last = false;  ///< of its gap: on that side is what is kept, or the ground
 };
 
 struct BrokenFan {
   std::array<std::uint32_t, 2> edge{};    ///< vertices, ascending
   std::array<std::uint32_t, 2> ground{};  ///< ground triangles at its ends, the smaller number first
-  /// What lies between the solid at the first and at the last ground triangle, in this order; empty if there
-  /// are kept tetrahedra in between, so that there are several gaps.
-  std::vector<GapTet> gap;
+  /// All that is not kept, from the first ground triangle to the last one: one gap, or several with kept
+  /// tetrahedra in between.
+  std::vector<GapTet> gaps;
 };
 
 /// The broken fans of all edges with two ground triangles. O(n + degrees of these edges).

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <set>
 #include <span>
 #include <tuple>
 #include <utility>
@@ -163,36 +164,102 @@ class EdgeRing {
   DisjointSets connected_;
 };
 
+struct OpenEdge {
+  std::span<const Source> sources;
+  EdgeRing ring;
+  bool helped = false;
+};
+
+/// Those that are to be looked at, again if there is something new at one of their ends.
+class DueEdges {
+ public:
+  explicit DueEdges(std::span<const OpenEdge> open) : count_(open.size()) {
+    for (std::size_t i = 0; i < open.size(); ++i) {
+      due_.insert(due_.end(), i);
+      for (const std::uint32_t end : open[i].sources[0].edge) at_.emplace_back(end, i);
+    }
+    std::sort(at_.begin(), at_.end());
+  }
+
+  /// The first one; the number of all if there is none.
+  std::size_t next() {
+    if (due_.empty()) return count_;
+    const std::size_t first = *due_.begin();
+    due_.erase(due_.begin());
+    return first;
+  }
+
+  void add_around(const Edge& edge) {
+    for (const std::uint32_t end : edge)
+      for (auto at = std::lower_bound(at_.begin(), at_.end(), std::pair{end, std::size_t{0}});
+           at != at_.end() && at->first == end; ++at)
+        due_.insert(at->second);
+  }
+
+ private:
+  std::size_t count_;
+  std::set<std::size_t> due_;
+  std::vector<std::pair<std::uint32_t, std::size_t>> at_;  ///< by end of an edge
+};
+
 /// If it connects what is not connected yet, and fits to the others of its cell.
-bool Pipeline::build_bridge(std::uint32_t cell, std::uint32_t number, EdgeRing& ring, BuiltBridges& built) {
+bool Pipeline::build_bridge(std::uint32_t cell, std::uint32_t number, bool may_make_handles, EdgeRing& ring,
+                            BuiltBridges& built) {
   const Bridge& bridge = cells_[cell].bridges.bridges[number];
-  if (bridge.pieces.empty() || !built.fits(bridge)) return false;
+  if (bridge.pieces.empty()) return false;
+  const auto handles = built.handles_of(bridge);
+  if (!handles || (*handles > 0 && !may_make_handles)) return false;
   const std::vector<FaceId> ids = inner_faces(CellId{cell});
   const auto& [g, h] = bridge.ground;
   if (!ring.connect({ids[g.face].value, g.triangle}, {ids[h.face].value, h.triangle})) return false;
   built.add(bridge);
+  result_.report.topology.bridge_handles += *handles;
   std::vector<GroundTriangle>& ground = cells_[cell].bridge_ground;
   ground.insert(ground.end(), {g, h});
   return true;
 }
 
-/// Edge by edge: what whole fans leave unconnected is connected by the smallest bridges.
+/// What whole fans leave unconnected is connected by the smallest bridges.
 void Pipeline::build_bridges() {
   const std::vector<Source> sources = broken_edges(cells_);
   const std::vector<SectionSide> sides = section_sides(faces_, numbering_, *arrangement_, sources);
-  TopologyReport& report = result_.report.topology;
   std::vector<BuiltBridges> built(cells_.size());
+  std::vector<OpenEdge> open;
   for (std::size_t first = 0; first < sources.size();) {
     const std::span<const Source> here = of_edge(sources, sources[first].edge);
     first += here.size();
     EdgeRing ring(of_edge(sides, here[0].edge), here, cells_);
-    if (ring.is_connected()) continue;
-    bool helped = false;
-    for (const Source& s : here) helped |= build_bridge(s.cell, s.bridge, ring, built[s.cell]);
-    report.bridges += helped ? 1U : 0U;
-    report.open_edges += ring.is_connected() ? 0U : 1U;
+    if (!ring.is_connected()) open.push_back({here, std::move(ring), false});
+  }
+  close_edges(open, built);
+  TopologyReport& report = result_.report.topology;
+  for (OpenEdge& edge : open) {
+    report.bridges += edge.helped ? 1U : 0U;
+    report.open_edges += edge.ring.is_connected() ? 0U : 1U;
   }
   add_pieces(built, number_points(built, cells_, numbering_), cells_);
+}
+
+/// Edge by edge, again where a bridge may fit once others are built. Where none fits a slit through the
+/// section would stay, as good as a handle: there a bridge may make one, and those beside it may close
+/// without.
+void Pipeline::close_edges(std::span<OpenEdge> open, std::vector<BuiltBridges>& built) {
+  DueEdges due(open);
+  for (std::size_t next = 0; next < open.size();) {
+    const std::size_t i = due.next();
+    const bool none_fits = i == open.size();
+    OpenEdge& edge = open[none_fits ? next++ : i];
+    if (build_at(edge, none_fits, built)) due.add_around(edge.sources[0].edge);
+  }
+}
+
+/// Whether there is one more.
+bool Pipeline::build_at(OpenEdge& open, bool may_make_handles, std::vector<BuiltBridges>& built) {
+  bool more = false;
+  for (const Source& s : open.sources)
+    more |= build_bridge(s.cell, s.bridge, may_make_handles, open.ring, built[s.cell]);
+  open.helped |= more;
+  return more;
 }
 
 void Pipeline::remove_bridges() {
@@ -202,7 +269,8 @@ void Pipeline::remove_bridges() {
   }
   numbering_.points.resize(numbering_.bridge_begin);
   numbering_.graph_vertex.resize(numbering_.bridge_begin);
-  result_.report.topology.bridges = result_.report.topology.open_edges = 0;
+  TopologyReport& report = result_.report.topology;
+  report.bridges = report.bridge_handles = report.open_edges = 0;
 }
 
 }  // namespace crossloft

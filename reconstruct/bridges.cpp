@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 
+#include "../geom/disjoint_sets.h"
 #include "../prune/broken_fans.h"
+#include "../prune/link_parts.h"
 #include "../prune/star.h"
 
 namespace crossloft {
@@ -28,15 +31,17 @@ Triangle side_of(const Tet& piece, std::size_t i) {
 class BridgeFinder {
  public:
   BridgeFinder(const BuiltCell& cell, const Ground& ground, const std::vector<std::uint8_t>& kept)
-      : cell_(cell), fans_(broken_fans(cell.complex, ground, kept)) {}
+      : cell_(cell), fans_(broken_fans(cell.complex, ground, kept)) {
+    if (std::any_of(fans_.begin(), fans_.end(), has_wedges)) parts_.emplace(cell.complex, ground, kept);
+  }
 
   CellBridges run() {
     for (const BrokenFan& fan : fans_)
-      for (const GapTet& gap : fan.gap) edges_[gap.tet].push_back(fan.edge);
+      for (const GapTet& gap : fan.gaps) edges_[gap.tet].push_back(fan.edge);
     for (const BrokenFan& fan : fans_)
-      for (std::size_t i = 0; i < fan.gap.size(); ++i) {
-        centres_[centre_key(fan.gap[i].tet, fan.edge)] = kNone;
-        if (i > 0) claim(facet_vertices(cell_.complex.mesh, fan.gap[i].tet, fan.gap[i].from), fan.edge);
+      for (const GapTet& gap : fan.gaps) {
+        centres_[centre_key(gap.tet, fan.edge)] = kNone;
+        if (!gap.is_first) claim(facet_vertices(cell_.complex.mesh, gap.tet, gap.from), fan.edge);
       }
     for (auto& [key, number] : centres_)
       number = add_point(cell_.complex.mesh.vertices[key.first], key.second);
@@ -157,15 +162,33 @@ class BridgeFinder {
     return true;
   }
 
+  static bool has_wedges(const BrokenFan& fan) {
+    return std::count_if(fan.gaps.begin(), fan.gaps.end(), [](const GapTet& g) { return g.is_last; }) > 1;
+  }
+
+  std::vector<Wedge> wedges_of(const BrokenFan& fan) const {
+    if (!has_wedges(fan)) return {};
+    const auto& [a, b] = fan.edge;
+    const std::uint32_t g = fan.ground[0];
+    std::vector<Wedge> wedges{
+        {{parts_->of_ground(g, a), parts_->of_ground(g, b)}, parts_->body_of_ground(g)}};
+    for (std::size_t i = 0; i + 1 < fan.gaps.size(); ++i) {
+      if (!fan.gaps[i].is_last) continue;
+      const std::uint32_t t = cell_.complex.mesh.neighbours[fan.gaps[i].tet][fan.gaps[i].to];
+      wedges.push_back({{parts_->of_tet(t, a), parts_->of_tet(t, b)}, parts_->body_of_tet(t)});
+    }
+    return wedges;
+  }
+
   void add_bridge(const BrokenFan& fan) {
     Bridge bridge;
     bridge.edge = fan.edge;
-    for (std::size_t i = 0; i < fan.gap.size(); ++i) {
-      const GapTet& gap = fan.gap[i];
+    bridge.wedges = wedges_of(fan);
+    for (const GapTet& gap : fan.gaps) {
       bool good = are_centres_apart(gap.tet, fan.edge);
       for (std::uint8_t f = 0; f < 4; ++f) good = good && is_positive(part_at(gap.tet, f, fan.edge));
-      good = good && add_part(gap, gap.from, i > 0, bridge) &&
-             add_part(gap, gap.to, i + 1 < fan.gap.size(), bridge);
+      good = good && add_part(gap, gap.from, !gap.is_first, bridge) &&
+             add_part(gap, gap.to, !gap.is_last, bridge);
       if (good) continue;
       bridge.pieces.clear();
       break;
@@ -179,6 +202,7 @@ class BridgeFinder {
 
   const BuiltCell& cell_;
   const std::vector<BrokenFan> fans_;
+  std::optional<LinkParts> parts_;                                   ///< if a fan has several gaps
   std::map<std::uint32_t, std::vector<Edge>> edges_;                 ///< by tetrahedron: whose gaps it is in
   std::map<std::pair<std::uint32_t, Edge>, std::uint32_t> centres_;  ///< by centre_key(): number
   std::map<Triangle, Claimed> facet_points_;                         ///< by local vertices, ascending
@@ -191,7 +215,7 @@ CellBridges find_bridges(const BuiltCell& cell, const Ground& ground, const std:
   return BridgeFinder(cell, ground, kept).run();
 }
 
-bool BuiltBridges::fits(const Bridge& bridge) const {
+bool BuiltBridges::is_apart(const Bridge& bridge) const {
   for (const Tet& piece : bridge.pieces)
     for (std::size_t i = 0; i < 4 && pieces_.count(piece) == 0; ++i) {
       const bool at_edge = !is_end(piece[i], bridge.edge);
@@ -200,11 +224,41 @@ bool BuiltBridges::fits(const Bridge& bridge) const {
   return true;
 }
 
+std::uint32_t BuiltBridges::root_of(std::uint32_t part) const {
+  for (auto next = joined_.find(part); next != joined_.end(); next = joined_.find(part)) part = next->second;
+  return part;
+}
+
+std::optional<std::uint32_t> BuiltBridges::handles_of(const Bridge& bridge) const {
+  if (!is_apart(bridge)) return {};
+  const std::vector<Wedge>& wedges = bridge.wedges;
+  if (wedges.empty()) return 0;
+  DisjointSets tied(wedges.size());
+  std::size_t parts = 0;
+  for (std::size_t end = 0; end < 2; ++end)
+    for (std::uint32_t i = 0; i < wedges.size(); ++i) {
+      std::uint32_t first = 0;
+      while (root_of(wedges[first].parts[end]) != root_of(wedges[i].parts[end])) ++first;
+      parts += first == i ? 1U : 0U;
+      tied.join(first, i);
+    }
+  const std::uint32_t disks = tied.count();
+  const bool one_body =
+      std::all_of(wedges.begin(), wedges.end(), [&](const Wedge& w) { return w.body == wedges[0].body; });
+  if (parts != wedges.size() + disks || !one_body) return {};
+  return disks - 1;
+}
+
 void BuiltBridges::add(const Bridge& bridge) {
   for (const Tet& piece : bridge.pieces) {
     pieces_.insert(piece);
     for (std::size_t i = 0; i < 4; ++i) sides_.insert(side_of(piece, i));
   }
+  for (const Wedge& wedge : bridge.wedges)
+    for (std::size_t end = 0; end < 2; ++end) {
+      const auto [low, high] = std::minmax({root_of(bridge.wedges[0].parts[end]), root_of(wedge.parts[end])});
+      if (low != high) joined_[high] = low;
+    }
 }
 
 void renumber(CellBridges& bridges, std::span<const std::uint32_t> number) {

@@ -335,10 +335,22 @@ Result<CellBranching> Pipeline::branch(CellId id, CellState& state) {
   cell.find_bare();
   if (state.lacks_roof) cell.find_holes();
   if (!cell.lacks_something() && !observer_) return CellBranching{};
-  if (!state.triangulation) state.triangulation = std::make_unique<CellTriangulation>(faces.size());
-  if (auto done = state.triangulation->add(faces, numbering_.points); !done) return done.error();
-  if (state.triangulation->dimension() < 3) return CellBranching{};
-  return cell.run(*state.triangulation, observer_ != nullptr);
+  std::unique_ptr<CellTriangulation> faces_only;  // a diagram has no sites inside the cell
+  auto& triangulation = state.inside.empty() ? state.triangulation : faces_only;
+  if (!triangulation) triangulation = std::make_unique<CellTriangulation>(faces.size());
+  if (auto done = triangulation->add(faces, numbering_.points); !done) return done.error();
+  if (triangulation->dimension() < 3) return CellBranching{};
+  return cell.run(*triangulation, observer_ != nullptr);
+}
+
+/// A face of it got samples. Points that it took inside before had numbers that samples have now, and others
+/// may be wanted.
+void CellState::begin_anew() {
+  due = true;
+  waiting.reset();
+  if (inside.empty()) return;
+  inside.clear(), interior.clear();
+  triangulation.reset();
 }
 
 Result<Done> Pipeline::add_samples() {
@@ -360,8 +372,7 @@ Result<Done> Pipeline::add_samples() {
   }
   for (std::uint32_t f = 0; f < samples.size(); ++f)
     if (!samples[f].empty())
-      for (const CellId c : arrangement_->cells_of(FaceId{f}))
-        cells_[c.value].due = true, cells_[c.value].waiting.reset();
+      for (const CellId c : arrangement_->cells_of(FaceId{f})) cells_[c.value].begin_anew();
   for (CellState& cell : cells_) {
     cell.due |= cell.undivided;
     if (!cell.due) cell.triangulation.reset();

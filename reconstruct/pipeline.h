@@ -41,6 +41,7 @@ class Stopwatch {
 };
 
 class EdgeRing;
+struct OpenEdge;
 struct Window;
 
 /// One component of the surface, not the largest, as cells see it.
@@ -98,6 +99,7 @@ struct CellState {
   std::unique_ptr<CellInHand> waiting;  ///< the cell as it is until then, if it is undivided
 
   void renumber(std::span<const std::uint32_t> number);
+  void begin_anew();
 };
 
 /// The tetrahedra of all cells and what the cells know of their facets.
@@ -132,7 +134,10 @@ class Pipeline {
   Result<std::vector<Piece>> find_pieces();
   // bridge_stage.cpp
   void build_bridges();
-  bool build_bridge(std::uint32_t cell, std::uint32_t number, EdgeRing& ring, BuiltBridges& built);
+  void close_edges(std::span<OpenEdge> open, std::vector<BuiltBridges>& built);
+  bool build_at(OpenEdge& open, bool may_make_handles, std::vector<BuiltBridges>& built);
+  bool build_bridge(std::uint32_t cell, std::uint32_t number, bool may_make_handles, EdgeRing& ring,
+                    BuiltBridges& built);
   void remove_bridges();
   // thicken_stage.cpp
   Result<Done> thicken();

@@ -65,6 +65,7 @@ struct TopologyReport {
   std::uint32_t bodies_joined = 0;  ///< small ones that nothing was joined with in any cell
   std::uint32_t walls_opened = 0;   ///< of cavities that one plane has seen or whose walls were not sure
   std::uint32_t bridges = 0;        ///< edges within sections at which a bridge was built
+  std::uint32_t bridge_handles = 0;  ///< handles that bridges have made instead of slits
   /// Of the edges that no cell holds together, those that stay pinched. Wedges of a cell's solid that reach
   /// such an edge without a section triangle of it are apart in the cell's count, too, and not counted here.
   std::uint32_t open_edges = 0;

@@ -27,12 +27,12 @@ struct Step {
   friend auto operator<=>(const Step&, const Step&) = default;
 };
 
-/// By an edge: the ground triangles at the two ends, and what is between the solid at the first and at the
-/// second.
+/// By an edge: the ground triangles at the two ends, and what of the fan is not kept.
 struct Fan {
   std::array<Simplex, 2> ground;
-  std::vector<Step> all, gap;  ///< gap: empty if something is kept between two that are not
+  std::vector<Step> all, bare;
   bool broken = false;
+  std::size_t gaps = 0;  ///< one iff each of the bare ones follows on the one before
 };
 
 /// All tetrahedra at an edge, from the triangle `first` on: each time the one that shares a triangle with the
@@ -68,26 +68,32 @@ std::map<Simplex, Fan> all_fans(const BruteSolid& solid, const Flags& kept) {
     for (const std::size_t b : ground) {
       const Simplex edge = common(solid.pieces()[a], solid.pieces()[b]);
       if (b <= a || edge.size() != 2) continue;
-      Fan fan{{solid.pieces()[a], solid.pieces()[b]}, {}, {}, false};
+      Fan fan{{solid.pieces()[a], solid.pieces()[b]}, {}, {}, false, 0};
       fan.all = in_turn(solid, edge, fan.ground[0], fan.ground[1]);
-      std::vector<Step> bare;
       for (const Step& s : fan.all)
-        if (kept[s.tet] == 0) bare.push_back(s);
-      fan.broken = !bare.empty();
-      // A gap is one iff each of its tetrahedra follows on the one before.
-      bool one = true;
-      for (std::size_t i = 1; i < bare.size(); ++i) one = one && bare[i].from == bare[i - 1].to;
-      if (one) fan.gap = bare;
+        if (kept[s.tet] == 0) fan.bare.push_back(s);
+      fan.broken = !fan.bare.empty();
+      for (std::size_t i = 0; i < fan.bare.size(); ++i)
+        fan.gaps += i == 0 || fan.bare[i].from != fan.bare[i - 1].to ? 1U : 0U;
       CHECK(fans.emplace(edge, fan).second);
     }
   return fans;
 }
 
-std::vector<Step> steps_of(const CellComplex& cell, const std::vector<GapTet>& gap) {
+std::vector<Step> steps_of(const CellComplex& cell, const std::vector<GapTet>& gaps) {
   std::vector<Step> steps;
-  for (const GapTet& g : gap)
+  for (const GapTet& g : gaps)
     steps.push_back({g.tet, facet_of(cell, g.tet, g.from), facet_of(cell, g.tet, g.to)});
   return steps;
+}
+
+/// A tetrahedron is the last of its gap iff the next one, if any, does not share its facet.
+void check_ends(const CellComplex& cell, const std::vector<GapTet>& gaps) {
+  const std::vector<Step> steps = steps_of(cell, gaps);
+  for (std::size_t i = 0; i < gaps.size(); ++i) {
+    CHECK(gaps[i].is_first == (i == 0 || steps[i - 1].to != steps[i].from));
+    CHECK(gaps[i].is_last == (i + 1 == gaps.size() || steps[i + 1].from != steps[i].to));
+  }
 }
 
 std::vector<Step> reversed(std::vector<Step> steps) {
@@ -117,11 +123,11 @@ struct Seen {
     one_tet += n == 1 ? 1U : 0U;
     if (!fan.broken) {
       ++whole;
-    } else if (fan.gap.empty()) {
+    } else if (fan.gaps > 1) {
       ++several;
     } else {
-      const bool first = fan.gap.front().tet == fan.all.front().tet;
-      const bool last = fan.gap.back().tet == fan.all.back().tet;
+      const bool first = fan.bare.front().tet == fan.all.front().tet;
+      const bool last = fan.bare.back().tet == fan.all.back().tet;
       ++(first && last ? bare : first ? open_at_first : last ? open_at_last : inside);
     }
   }
@@ -145,7 +151,8 @@ void check_same(const CellComplex& cell, const Ground& ground, const Flags& kept
     const bool turned = triangle(0) != fan.ground[0];
     CHECK(triangle(turned ? 1 : 0) == fan.ground[0]);
     CHECK(triangle(turned ? 0 : 1) == fan.ground[1]);
-    CHECK(steps_of(cell, b.gap) == (turned ? reversed(fan.gap) : fan.gap));
+    CHECK(steps_of(cell, b.gaps) == (turned ? reversed(fan.bare) : fan.bare));
+    check_ends(cell, b.gaps);
   }
   for (const auto& [edge, fan] : fans) CHECK(fan.broken == (found.count(edge) != 0));
 }
@@ -156,7 +163,7 @@ std::set<std::pair<Simplex, std::set<std::size_t>>> by_names(const std::vector<B
   std::set<std::pair<Simplex, std::set<std::size_t>>> names;
   for (const BrokenFan& fan : fans) {
     std::set<std::size_t> gap;
-    for (const GapTet& g : fan.gap) gap.insert(from[g.tet]);
+    for (const GapTet& g : fan.gaps) gap.insert(from[g.tet]);
     names.insert({{fan.edge[0], fan.edge[1]}, gap});
   }
   CHECK(names.size() == fans.size());
@@ -222,25 +229,29 @@ TEST_CASE("random cells: broken fans do not depend on the numbers of the tetrahe
   CHECK(gaps > 1000);
 }
 
-TEST_CASE("one fan: the gap is what is not kept between the kept ones at its ends") {
+TEST_CASE("one fan: gaps are what is not kept") {
   const CellComplex cell = half_turn();
   const Ground ground(cell);
-  const auto gap_of = [&](const Flags& kept) {
+  using List = std::vector<std::uint32_t>;
+  const auto gaps_of = [&](const Flags& kept) {
     const std::vector<BrokenFan> fans = broken_fans(cell, ground, kept);
     REQUIRE(fans.size() == 1);
     CHECK(fans[0].edge == std::array<std::uint32_t, 2>{0, 1});
-    std::vector<std::uint32_t> tets;
-    for (const GapTet& g : fans[0].gap) tets.push_back(g.tet);
-    return tets;
+    std::vector<List> gaps;
+    for (const GapTet& g : fans[0].gaps) {
+      if (g.is_first) gaps.emplace_back();
+      gaps.back().push_back(g.tet);
+    }
+    return gaps;
   };
-  using List = std::vector<std::uint32_t>;
+  using Lists = std::vector<List>;
   CHECK(broken_fans(cell, ground, {1, 1, 1, 1, 1}).empty());
-  CHECK(gap_of({0, 0, 0, 0, 0}) == List{0, 1, 2, 3, 4});
-  CHECK(gap_of({1, 0, 0, 1, 1}) == List{1, 2});
-  CHECK(gap_of({0, 1, 1, 1, 1}) == List{0});
-  CHECK(gap_of({1, 1, 1, 0, 0}) == List{3, 4});
-  CHECK(gap_of({1, 0, 1, 0, 1}).empty());
-  CHECK(gap_of({0, 0, 1, 0, 0}).empty());
+  CHECK(gaps_of({0, 0, 0, 0, 0}) == Lists{{0, 1, 2, 3, 4}});
+  CHECK(gaps_of({1, 0, 0, 1, 1}) == Lists{{1, 2}});
+  CHECK(gaps_of({0, 1, 1, 1, 1}) == Lists{{0}});
+  CHECK(gaps_of({1, 1, 1, 0, 0}) == Lists{{3, 4}});
+  CHECK(gaps_of({1, 0, 1, 0, 1}) == Lists{{1}, {3}});
+  CHECK(gaps_of({0, 0, 1, 0, 0}) == Lists{{0, 1}, {3, 4}});
 }
 
 TEST_CASE("an edge at the border of the section has no fan that could break") {

@@ -106,6 +106,22 @@ TEST_CASE("where no planes meet in a cell, as in a stack, points inside come onl
   CHECK(with->report.interior_points > 0);
 }
 
+TEST_CASE("in a stack whose cells have points inside, samples over holes come first and points anew") {
+  const Surface mesh = nested_shells(32);
+  const auto sections = slice(mesh, parallel_planes(bounds_of(mesh.points), 16, {0.3, 0.5, 1}));
+  REQUIRE(sections.ok());
+  Options all;
+  all.natural.divide = InCells::all;
+  const auto r = reconstruct(*sections, all);
+  REQUIRE(r.ok());
+  CHECK(r->report.interior_points > 0);
+  CHECK(r->report.branching_samples > 0);
+  const CheckReport report = check_surface(r->surface);
+  CHECK(report.good_topology());
+  CHECK(report.crossings == 0);
+  CHECK(report.genus == 0);
+}
+
 TEST_CASE("points inside cells change no section") {
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {
     CAPTURE(seed);

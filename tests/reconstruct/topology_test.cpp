@@ -77,6 +77,19 @@ TEST_CASE("a stack through a hollow ball: the cavity is closed at both ends") {
     }
 }
 
+TEST_CASE(
+    "a few slices through thin walls: no handles where wedges of the solid reach edges within sections") {
+  const Surface mesh = nested_shells(32);
+  for (const std::uint32_t count : {16U, 18U}) {
+    CAPTURE(count);
+    const auto planes = parallel_planes(bounds_of(mesh.points), count, {0.3, 0.5, 1});
+    const Reconstruction r = cut_and_rebuild(mesh, planes);
+    CHECK(check_surface(r.surface).genus == 0);
+    CHECK(r.report.topology.bridges > 0);
+    CHECK(r.report.topology.open_edges == 0);
+  }
+}
+
 TEST_CASE("where confidences are in doubt, the sections around a cell tell that a torus goes on") {
   const Surface mesh = torus(1, 0.4, 96, 48);
   Options options;
