@@ -1,15 +1,17 @@
 // A whole reconstruction against no more than CGAL's Delaunay triangulations (EPICK, range insertion) of the
 // same cells' points, in turns in one process: what a program built on CGAL could not do without.
 //
-//   bench_compare_pipeline [--rounds N] [--mode MODE] FILE...      sections, as crossloft reconstruct reads
-//   them
+//   bench_compare_pipeline [--rounds N] [--mode MODE] [--threads N] FILE...      sections, as crossloft
+//   reconstruct reads them
 //
-// Seconds of processor time, one thread each; medians of N rounds (3).
+// Medians of N rounds (3), in seconds: of processor time with one thread, which CGAL has always; of the clock
+// with more.
 
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
@@ -35,13 +37,16 @@ class CellPoints : public Observer {
   std::vector<std::vector<Kernel::Point_3>> cells;
 };
 
-double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+double seconds(bool of_processor) {
+  if (of_processor) return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
 
 template <class Run>
-double timed(const Run& run) {
-  const double start = processor_seconds();
+double timed(bool of_processor, const Run& run) {
+  const double start = seconds(of_processor);
   run();
-  return processor_seconds() - start;
+  return seconds(of_processor) - start;
 }
 
 double median(std::vector<double> values) {
@@ -50,20 +55,20 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
-bool compare_on(const char* path, const Options& options, int rounds) {
+bool compare_on(const char* path, const Options& options, unsigned threads, int rounds) {
   const auto sections = read_sections(path);
   if (!sections) return std::fprintf(stderr, "%s\n", sections.error().message.c_str()), false;
   Context context;
-  context.threads = 1;
+  context.threads = threads;
   CellPoints points;
   if (!reconstruct(*sections, options, context, &points)) return false;
   std::vector<double> ours, theirs, ratios;
   std::size_t vertices = 0, tets = 0;
   for (const auto& cell : points.cells) vertices += cell.size();
   for (int round = 0; round < rounds; ++round) {
-    ours.push_back(timed([&] { (void)reconstruct(*sections, options, context); }));
+    ours.push_back(timed(threads == 1, [&] { (void)reconstruct(*sections, options, context); }));
     tets = 0;
-    theirs.push_back(timed([&] {
+    theirs.push_back(timed(threads == 1, [&] {
       for (const auto& cell : points.cells)
         tets += CGAL::Delaunay_triangulation_3<Kernel>(cell.begin(), cell.end()).number_of_finite_cells();
     }));
@@ -86,20 +91,25 @@ bool set_mode(const std::string& word, Options& options) {
 
 int main(int count, char** words) {
   Options options;
-  int rounds = 3;
+  int rounds = 3, threads = 1;
   std::vector<const char*> files;
   bool good = true;
   for (int i = 1; i < count; ++i) {
     const std::string word = words[i];
     if (word == "--rounds" && i + 1 < count)
       rounds = std::atoi(words[++i]);
+    else if (word == "--threads" && i + 1 < count)
+      threads = std::atoi(words[++i]);
     else if (word == "--mode" && i + 1 < count)
       good = set_mode(words[++i], options) && good;
     else
       files.push_back(words[i]);
   }
-  if (!good || rounds < 1 || files.empty())
-    return std::fprintf(stderr, "usage: bench_compare_pipeline [--rounds N] [--mode MODE] FILE...\n"), 2;
-  for (const char* file : files) good = compare_on(file, options, rounds) && good;
+  if (!good || rounds < 1 || threads < 1 || files.empty()) {
+    std::fprintf(stderr, "usage: bench_compare_pipeline [--rounds N] [--mode MODE] [--threads N] FILE...\n");
+    return 2;
+  }
+  for (const char* file : files)
+    good = compare_on(file, options, static_cast<unsigned>(threads), rounds) && good;
   return good ? 0 : 1;
 }
