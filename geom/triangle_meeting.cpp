@@ -12,12 +12,16 @@ using Signs = std::array<int, 3>;
 
 constexpr int next(int k) { return k == 2 ? 0 : k + 1; }
 
+/// As merged ones have (reconstruct/merge_places.h): no plane, no inside, and exact arithmetic would find that
+/// out the long way.
+bool has_equal(const Corners& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
+
 /// Side of the triangle's plane; equal corners are the frequent zero and need no arithmetic. The filter is
 /// here so that what it computes of the triangle is shared by three questions.
 inline int side(const Corners& t, const Vec3& p) {
   if (p == t[0] || p == t[1] || p == t[2]) return 0;
   const int sign = orient3d_filter(t[0], t[1], t[2], p);
-  return sign != 0 ? sign : orient3d(t[0], t[1], t[2], p);
+  return sign != 0 || has_equal(t) ? sign : orient3d(t[0], t[1], t[2], p);
 }
 
 /// On which side of each edge of t the line pq passes; the same three signs mean through the interior.
@@ -62,6 +66,7 @@ struct PlaneView {
 /// A view of the triangle's plane; false if the corners are collinear, as they are if they look so along all
 /// axes.
 bool find_view(const Corners& t, PlaneView& view) {
+  if (has_equal(t)) return false;
   for (view.axis = 0; view.axis < 3; ++view.axis)
     if (view.turn(t[0], t[1], t[2]) != 0) return true;
   return false;
