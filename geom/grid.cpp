@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "two_sum.h"
+
 namespace crossloft {
 namespace {
 
@@ -49,6 +51,11 @@ double WorldGrid::unit() const { return std::ldexp(1.0, -exponent_); }
 bool WorldGrid::exact() const {
   return exponent_ <= kSmallestExponent &&
          largest(shift_) + static_cast<double>(kLatticeLimit) <= kExactIntegers;
+}
+
+bool WorldGrid::exact_at(const LatticePoint& p) const {
+  return exponent_ <= kSmallestExponent && two_sum(p.x, shift_.x).low == 0 &&
+         two_sum(p.y, shift_.y).low == 0 && two_sum(p.z, shift_.z).low == 0;
 }
 
 }  // namespace crossloft

@@ -29,6 +29,8 @@ class WorldGrid {
   double unit() const;
   /// True iff every lattice point goes back to input coordinates without rounding.
   bool exact() const;
+  /// True iff this one does. REQUIRES: explicit.
+  bool exact_at(const LatticePoint& p) const;
 
  private:
   int exponent_ = 0;

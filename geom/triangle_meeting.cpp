@@ -8,16 +8,20 @@
 namespace crossloft {
 namespace {
 
-using Signs = std::array<int, 3>;
+using Signs = Sides;
 
 constexpr int next(int k) { return k == 2 ? 0 : k + 1; }
+
+/// As merged ones have (reconstruct/merge_places.h): no plane, no inside, and exact arithmetic would find that
+/// out the long way.
+bool has_equal(const Corners& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
 
 /// Side of the triangle's plane; equal corners are the frequent zero and need no arithmetic. The filter is
 /// here so that what it computes of the triangle is shared by three questions.
 inline int side(const Corners& t, const Vec3& p) {
   if (p == t[0] || p == t[1] || p == t[2]) return 0;
   const int sign = orient3d_filter(t[0], t[1], t[2], p);
-  return sign != 0 ? sign : orient3d(t[0], t[1], t[2], p);
+  return sign != 0 || has_equal(t) ? sign : orient3d(t[0], t[1], t[2], p);
 }
 
 /// On which side of each edge of t the line pq passes; the same three signs mean through the interior.
@@ -49,6 +53,63 @@ bool edge_pierces(const Corners& a, const Signs& s, const Corners& t) {
   return false;
 }
 
+/// Its corners from the given one on.
+struct Turned {
+  const Vec3 &first, &second, &third;
+  Turned(const Corners& t, int k) : first(t[k]), second(t[next(k)]), third(t[next(next(k))]) {}
+};
+
+bool none_is_zero(const Signs& s) { return s[0] * s[1] * s[2] != 0; }
+/// Of three signs that are not all the same, the one that differs.
+int lone(const Signs& s) { return s[0] == s[1] ? 2 : s[0] == s[2] ? 1 : 0; }
+
+/// Triangles of which each has corners strictly on both sides of the other's plane, and none in it. What each
+/// has in common with the line l = Na x Nb of both planes is an interval, from one edge at its lone corner to
+/// the other edge there. An edge pierces the other triangle iff the intervals have inner points in common and
+/// are not the same.
+///
+/// With the lone corners p (on the side i of b's plane) and q (on the side k of a's), edges e = a' - p and f =
+/// b' - q that meet l in P and Q: orient3d(p, a', q, b') = det(e, q - p, f) = (Q - P).(f x e), up to positive
+/// factors, and l.(f x e) = (Na.f)(Nb.e), which has the sign i k: that tells the order of P and Q along l. The
+/// edge to the second corner is the one that meets l later iff i > 0; for b, iff k < 0, as for it the line is
+/// -l. (Source: Guigue and Devillers, Fast and robust triangle-triangle overlap test, 2003, whose two
+/// questions these are.)
+bool intervals_meet(const Corners& a, const Signs& a_side, const Corners& b, const Signs& b_side) {
+  const int i = lone(a_side), k = lone(b_side);
+  const Turned p(a, i), q(b, k);
+  const int turn = a_side[i] * b_side[k];
+  const auto order = [&](const Vec3& on_a, const Vec3& on_b) {
+    return turn * orient3d(p.first, on_a, q.first, on_b);  // +1 if that on b is later
+  };
+  const bool a_up = a_side[i] > 0, b_up = b_side[k] < 0;
+  const Vec3 &a_low = a_up ? p.third : p.second, &a_high = a_up ? p.second : p.third;
+  const Vec3 &b_low = b_up ? q.third : q.second, &b_high = b_up ? q.second : q.third;
+  return order(a_high, b_low) < 0 && order(a_low, b_high) > 0 &&
+         (order(a_low, b_low) != 0 || order(a_high, b_high) != 0);
+}
+
+/// Likewise of triangles that share a corner, the only one in the other's plane: the opposite edges meet l in
+/// X and Y beside the corner. If both are on the same side of it, the nearer one is within the other triangle.
+/// X, of the edge bc, is where a is iff it passes the edge from the corner as a line through a's inside does.
+bool opposite_edges_meet(const Turned& a, const Turned& b, int side_of_second) {
+  return orient3d(b.second, b.third, a.first, a.second) == -side_of_second &&
+         orient3d(b.second, b.third, a.second, a.third) != 0;
+}
+
+/// The only zero; -1 if there is none or several.
+int only_zero(const Signs& s) {
+  const int zeros = (s[0] == 0) + (s[1] == 0) + (s[2] == 0);
+  return zeros != 1 ? -1 : s[0] == 0 ? 0 : s[1] == 0 ? 1 : 2;
+}
+
+/// An edge of one passes through the other's interior. REQUIRES: both have corners on both sides.
+bool cross_each_other(const Corners& a, const Signs& a_side, const Corners& b, const Signs& b_side) {
+  if (none_is_zero(a_side) && none_is_zero(b_side)) return intervals_meet(a, a_side, b, b_side);
+  const int i = only_zero(a_side), k = only_zero(b_side);
+  if (i >= 0 && k >= 0 && a[i] == b[k]) return opposite_edges_meet({a, i}, {b, k}, b_side[next(k)]);
+  return edge_pierces(b, b_side, a) || edge_pierces(a, a_side, b);
+}
+
 /// A plane seen along an axis that is not parallel to it: turns of its points need two coordinates only,
 /// which is a fraction of the work of three where points are in one plane and no filter can tell.
 struct PlaneView {
@@ -62,6 +123,7 @@ struct PlaneView {
 /// A view of the triangle's plane; false if the corners are collinear, as they are if they look so along all
 /// axes.
 bool find_view(const Corners& t, PlaneView& view) {
+  if (has_equal(t)) return false;
   for (view.axis = 0; view.axis < 3; ++view.axis)
     if (view.turn(t[0], t[1], t[2]) != 0) return true;
   return false;
@@ -128,14 +190,24 @@ bool edge_meets(const Corners& a, const Signs& a_side, const Corners& b, int sha
 
 }  // namespace
 
+int side_of(const Corners& t, const Vec3& p) { return side(t, p); }
+
+// Leaning on the other's plane a triangle has no inner point in it, so that nothing passes through.
+bool may_meet(const Sides& sides) { return !one_sided(sides) && !leans(sides); }
+
+Meeting meeting(const Corners& a, const Sides& a_side, const Corners& b, const Sides& b_side) {
+  if (!may_meet(b_side)) return Meeting::none;
+  if (all_equal(b_side, 0) && coplanar_overlap(a, b)) return Meeting::overlap;
+  return may_meet(a_side) && cross_each_other(a, a_side, b, b_side) ? Meeting::crossing : Meeting::none;
+}
+
 Meeting meeting(const Corners& a, const Corners& b) {
   const Signs b_side{side(a, b[0]), side(a, b[1]), side(a, b[2])};
-  // Leaning on the other's plane a triangle has no inner point in it, so that nothing passes through.
-  if (one_sided(b_side) || leans(b_side)) return Meeting::none;
+  if (!may_meet(b_side)) return Meeting::none;
   if (all_equal(b_side, 0) && coplanar_overlap(a, b)) return Meeting::overlap;
   const Signs a_side{side(b, a[0]), side(b, a[1]), side(b, a[2])};
-  if (one_sided(a_side) || leans(a_side)) return Meeting::none;
-  return edge_pierces(b, b_side, a) || edge_pierces(a, a_side, b) ? Meeting::crossing : Meeting::none;
+  if (!may_meet(a_side)) return Meeting::none;
+  return cross_each_other(a, a_side, b, b_side) ? Meeting::crossing : Meeting::none;
 }
 
 bool touch(const Corners& a, const Corners& b, int shared) {

@@ -24,6 +24,14 @@ enum class Piercing : std::uint8_t {
   touches,  ///< anything else that has a common point, or both in one plane
 };
 
+/// Of three points, on which side of a triangle's plane: side_of(t, p) is orient3d(t[0], t[1], t[2], p).
+using Sides = std::array<int, 3>;
+int side_of(const Corners& triangle, const Vec3& p);
+/// False if the triangle of these corners can't cross or overlap the one whose plane it is.
+bool may_meet(const Sides& sides);
+/// As below, for who knows the sides of a's corners of b's plane, and of b's of a's.
+Meeting meeting(const Corners& a, const Sides& a_side, const Corners& b, const Sides& b_side);
+
 /// Symmetric. Degenerate triangles have no interior: they can pierce and can't be pierced.
 Meeting meeting(const Corners& a, const Corners& b);
 Piercing piercing(const Vec3& p, const Vec3& q, const Corners& triangle);

@@ -115,20 +115,22 @@ Result<Done> Pipeline::glue_cells() {
   return Done{};
 }
 
-/// Vertices whose coordinates are not exact: points of lines, midpoints, and all where the grid is finer than
-/// doubles.
-std::vector<std::uint8_t> Pipeline::rounded_vertices(const GluedSurface& glued) const {
-  std::vector<std::uint8_t> rounded;
+/// Rounded may be points of lines, midpoints, and all where the grid is finer than doubles; exact are those
+/// points of planes whose doubles are their very places.
+Rounding Pipeline::rounding(const GluedSurface& glued) const {
+  Rounding rounding;
+  const bool all = framed_.grid.exact();
   for (const SurfaceVertex& v : glued.vertices) {
-    const bool exact = framed_.grid.exact() && !v.is_midpoint() && numbering_.points[v.a].is_explicit();
-    rounded.push_back(exact ? 0 : 1);
+    const bool is_explicit = !v.is_midpoint() && numbering_.points[v.a].is_explicit();
+    rounding.rounded.push_back(is_explicit && all ? 0 : 1);
+    rounding.exact.push_back(is_explicit && framed_.grid.exact_at(numbering_.points[v.a]) ? 1 : 0);
   }
-  return rounded;
+  return rounding;
 }
 
 void Pipeline::mend(const GluedSurface& glued) {
   Report& report = result_.report;
-  const Mending mending = mend_crossings(result_.surface, glued.vertices, rounded_vertices(glued), context_);
+  const Mending mending = mend_crossings(result_.surface, glued.vertices, rounding(glued), context_);
   report.crossing_pairs = mending.found;
   report.crossing_pairs_left = mending.left;
   report.mended_vertices = mending.moved;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "../geom/box_tree.h"
@@ -25,9 +26,14 @@ constexpr std::uint64_t kEffort = 2;
 
 class Mender {
  public:
-  Mender(Surface& surface, std::span<const SurfaceVertex> origins, std::span<const std::uint8_t> rounded,
+  Mender(Surface& surface, std::span<const SurfaceVertex> origins, const Rounding& rounding,
          const Context& context)
-      : surface_(surface), points_(surface.points), origins_(origins), rounded_(rounded), context_(context) {}
+      : surface_(surface),
+        points_(surface.points),
+        origins_(origins),
+        rounded_(rounding.rounded),
+        exact_(rounding.exact),
+        context_(context) {}
 
   Mending run() {
     std::vector<Pair> bad = find_bad();
@@ -45,8 +51,11 @@ class Mender {
         bad = find_bad();
       }
     result_.left = bad.size();
-    if (!bad.empty() && !context_.cancelled())
-      result_.merged = merge_crossing_places(surface_, context_).merged;
+    if (!bad.empty() && !context_.cancelled()) {
+      const Merging merging = merge_crossing_places(surface_, std::move(bad), exact_, context_);
+      result_.merged = merging.merged;
+      result_.merged_exact = merging.exact;
+    }
     for (std::size_t v = 0; v < points_.size(); ++v) {
       if (points_[v] == written[v]) continue;
       ++result_.moved;
@@ -184,9 +193,9 @@ class Mender {
   Surface& surface_;
   std::vector<Vec3>& points_;
   std::span<const SurfaceVertex> origins_;
-  std::span<const std::uint8_t> rounded_;
+  std::span<const std::uint8_t> rounded_, exact_;
   const Context& context_;
-  Lists umbrellas_;  ///< by vertex
+  Lists umbrellas_;                  ///< by vertex
   mutable std::uint64_t asked_ = 0;  ///< pairs of triangles whose boxes meet
   std::uint64_t most_asked_ = 0;
   Mending result_;
@@ -194,9 +203,9 @@ class Mender {
 
 }  // namespace
 
-Mending mend_crossings(Surface& surface, std::span<const SurfaceVertex> origins,
-                       std::span<const std::uint8_t> rounded, const Context& context) {
-  return Mender(surface, origins, rounded, context).run();
+Mending mend_crossings(Surface& surface, std::span<const SurfaceVertex> origins, const Rounding& rounding,
+                       const Context& context) {
+  return Mender(surface, origins, rounding, context).run();
 }
 
 }  // namespace crossloft

@@ -19,6 +19,7 @@
 #include "bridges.h"
 #include "cell_builder.h"
 #include "glue.h"
+#include "mend.h"
 #include "numbering.h"
 #include "observer.h"
 #include "reconstruct.h"
@@ -189,7 +190,7 @@ class Pipeline {
   void take_tets();
   void finish_cells();
 
-  std::vector<std::uint8_t> rounded_vertices(const GluedSurface& glued) const;
+  Rounding rounding(const GluedSurface& glued) const;
   void mend(const GluedSurface& glued);
   void separate(const GluedSurface& glued);
   void report_planes();

@@ -38,9 +38,87 @@ bool holds(const Swept& swept, const Vec3& p) {
          orient3d(t[0], t[1], p, t[3]) * turn >= 0 && orient3d(t[0], t[1], t[2], p) * turn >= 0;
 }
 
-bool holds_one(const Swept& swept, const Corners& corners) {
-  return holds(swept, corners[0]) || holds(swept, corners[1]) || holds(swept, corners[2]);
-}
+/// What is known of vertices with regard to the triangles that an umbrella sweeps and becomes. A vertex has
+/// some six triangles, and most questions are near to undecided: each is asked once.
+class SweptSides {
+ public:
+  /// `row_of` by vertex, all kNone, as it is left.
+  SweptSides(const std::vector<Swept>& swept, const std::vector<Vec3>& points,
+             std::vector<std::uint32_t>& row_of)
+      : swept_(swept), points_(points), row_of_(row_of) {}
+  SweptSides(const SweptSides&) = delete;
+  SweptSides& operator=(const SweptSides&) = delete;
+  ~SweptSides() {
+    for (const std::uint32_t v : vertices_) row_of_[v] = kNone;
+  }
+
+  /// Where v's answers are.
+  std::uint32_t row(std::uint32_t v) {
+    if (row_of_[v] == kNone) {
+      row_of_[v] = static_cast<std::uint32_t>(vertices_.size());
+      vertices_.push_back(v);
+      sides_.resize(sides_.size() + swept_.size(), kUnknown);
+      held_.resize(held_.size() + swept_.size(), kUnknown);
+    }
+    return row_of_[v];
+  }
+  /// Of the plane of triangle i as moved.
+  int side(std::uint32_t row, std::uint32_t i) {
+    std::int8_t& known = sides_[row * swept_.size() + i];
+    const auto& t = swept_[i].tet;
+    if (known == kUnknown) known = static_cast<std::int8_t>(side_of({t[1], t[2], t[3]}, place(row)));
+    return known;
+  }
+  bool is_held(std::uint32_t row, std::uint32_t i) {
+    std::int8_t& known = held_[row * swept_.size() + i];
+    if (known == kUnknown) known = holds(swept_[i], place(row)) ? 1 : 0;
+    return known != 0;
+  }
+
+ private:
+  static constexpr std::int8_t kUnknown = 2;
+  const Vec3& place(std::uint32_t row) const { return points_[vertices_[row]]; }
+
+  const std::vector<Swept>& swept_;
+  const std::vector<Vec3>& points_;
+  std::vector<std::uint32_t>& row_of_;
+  std::vector<std::uint32_t> vertices_;    ///< by row
+  std::vector<std::int8_t> sides_, held_;  ///< [row][triangle]
+};
+
+/// Sides of one triangle's plane, each place asked once.
+class SidesOfPlaces {
+ public:
+  explicit SidesOfPlaces(const std::vector<Vec3>& places) : places_(places), sides_(places.size()) {}
+
+  void start(const Corners& triangle) {
+    triangle_ = triangle;
+    std::fill(sides_.begin(), sides_.end(), kUnknown);
+  }
+  int of(std::size_t place) {
+    std::int8_t& known = sides_[place];
+    if (known == kUnknown) known = static_cast<std::int8_t>(side_of(triangle_, places_[place]));
+    return known;
+  }
+  /// As beside() of all places (triangle_meeting.h).
+  bool is_beside() {
+    int sign = 0;
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+      const int s = of(i);
+      if (s * sign < 0 || (s == 0 && !is_corner(places_[i]))) return false;
+      if (s != 0) sign = s;
+    }
+    return sign != 0;
+  }
+
+ private:
+  static constexpr std::int8_t kUnknown = 2;
+  bool is_corner(const Vec3& p) const { return p == triangle_[0] || p == triangle_[1] || p == triangle_[2]; }
+
+  const std::vector<Vec3>& places_;
+  std::vector<std::int8_t> sides_;
+  Corners triangle_;
+};
 
 class Separator {
  public:
@@ -59,6 +137,7 @@ class Separator {
     find_umbrellas();
     for (std::size_t k = 0; k < copies_.size(); ++k) reach_.push_back(reach(k));
     find_neighbours();
+    row_of_.assign(points_.size(), kNone);
     for (std::size_t k = 0; k < copies_.size(); ++k)
       if (reach_[k] != 0 && !context_.cancelled() && (effort_.rounds == 0 || touches(k)))
         move(k, direction(k));
@@ -270,19 +349,36 @@ class Separator {
       places.push_back(s.tet[2]);
     }
     const BoxTree tree(boxes);
+    const std::vector<std::uint32_t> ends = ends_of(k);
+    SweptSides sides(swept, points_, row_of_);
+    SidesOfPlaces of_places(places);
+    const auto own_blocks = [&](std::size_t at) {
+      const Corners moved{to, swept[at].tet[2], swept[at].tet[3]};
+      bool hit = false;
+      tree.for_overlaps(bounds_of(moved), [&](std::uint32_t i) {
+        hit = hit || (i != at && meeting({to, swept[i].tet[2], swept[i].tet[3]}, moved) != Meeting::none);
+      });
+      return hit;
+    };
     const auto blocks = [&](std::uint32_t t) {
       const auto at = std::lower_bound(own.begin(), own.end(), t);
-      const bool is_own = at != own.end() && *at == t;
-      const auto& moved = swept[is_own ? static_cast<std::size_t>(at - own.begin()) : 0].tet;
-      const Corners other = is_own ? Corners{moved[1], moved[2], moved[3]} : corners(t);
+      if (at != own.end() && *at == t) return own_blocks(static_cast<std::size_t>(at - own.begin()));
+      const Corners other = corners(t);
       const Bounds box = bounds_of(other);
-      if (!is_own && overlap(box, {to, to}) && contains(other, to)) return true;
-      if (!is_own && beside(other, places)) return false;  // as most are, around a vertex of many triangles
+      if (overlap(box, {to, to}) && contains(other, to)) return true;
+      of_places.start(other);
+      if (of_places.is_beside()) return false;  // as most are, around a vertex of many triangles
+      const Triple& v = surface_.triangles[t];
+      const Triple row{sides.row(v[0]), sides.row(v[1]), sides.row(v[2])};
       bool hit = false;
       tree.for_overlaps(box, [&](std::uint32_t i) {
-        if (hit || own[i] == t) return;
-        hit = meeting({to, swept[i].tet[2], swept[i].tet[3]}, other) != Meeting::none ||
-              (!is_own && holds_one(swept[i], other));
+        if (hit) return;
+        const Sides side{sides.side(row[0], i), sides.side(row[1], i), sides.side(row[2], i)};
+        if (may_meet(side))
+          hit = meeting({to, swept[i].tet[2], swept[i].tet[3]},
+                        {of_places.of(1), of_places.of(2 + std::size_t{i}), of_places.of(ends[i])}, other,
+                        side) != Meeting::none;
+        hit = hit || sides.is_held(row[0], i) || sides.is_held(row[1], i) || sides.is_held(row[2], i);
       });
       return hit;
     };
@@ -292,6 +388,21 @@ class Separator {
     if (blocker == neighbours.end()) return true;
     std::rotate(neighbours.begin(), blocker, blocker + 1);
     return false;
+  }
+
+  /// For each triangle of the umbrella, where its second spoke is among the places of is_free: there two
+  /// places come before the first spokes of all.
+  std::vector<std::uint32_t> ends_of(std::size_t k) const {
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> first;
+    for (const std::uint32_t t : umbrellas_.of(k))
+      first.emplace_back(spokes(t, copies_[k])[0], static_cast<std::uint32_t>(2 + first.size()));
+    std::sort(first.begin(), first.end());
+    std::vector<std::uint32_t> ends;
+    for (const std::uint32_t t : umbrellas_.of(k)) {
+      const std::pair<std::uint32_t, std::uint32_t> spoke{spokes(t, copies_[k])[1], 0};
+      ends.push_back(std::lower_bound(first.begin(), first.end(), spoke)->second);
+    }
+    return ends;
   }
 
   /// In each run of copies, those at a place that a copy before them has.
@@ -316,6 +427,7 @@ class Separator {
   Lists umbrellas_;                    ///< by copy
   std::vector<double> reach_;          ///< by copy
   std::vector<std::vector<std::uint32_t>> neighbours_;  ///< by copy: triangles, what was in the way first
+  std::vector<std::uint32_t> row_of_;                   ///< by vertex: of SweptSides
   Separation result_;
 };
 

@@ -49,9 +49,9 @@ std::string refused(const SectionSet& set, const Error& error) {
   return {};
 }
 
-/// How far a written point may be from its exact place, and be taken to be when it is projected: rounded,
-/// then mended.
-double rounding(const Reconstruction& r) {
+/// How far a point may be from its exact place when its coordinates are rounded, and be taken to be when it is
+/// projected.
+double last_places(const Reconstruction& r) {
   double largest = 0;
   const auto add = [&](const std::vector<Vec3>& points) {
     for (const Vec3& p : points)
@@ -59,8 +59,11 @@ double rounding(const Reconstruction& r) {
   };
   add(r.surface.points);
   for (const PlaneSection& plane : r.sections.planes) add(plane.vertices);
-  return 0x1p-50 * largest + r.report.mending;
+  return 0x1p-50 * largest;
 }
+
+/// A written point: rounded, then mended.
+double rounding(const Reconstruction& r) { return last_places(r) + r.report.mending; }
 
 double contour_length(const PlaneSection& plane) {
   double sum = 0;
@@ -130,11 +133,30 @@ std::string twice_complaint(const SectionSet& set, const Reconstruction& r) {
   return hash(*again) == hash(r) ? "" : "another result when told in another order";
 }
 
+/// How far the report's volume may be from that of the tetrahedra, which is what plates change. It is that of
+/// the surface before anything is mended, whose vertices are within e = last_places(r) of theirs. To move one vertex of a
+/// closed surface changes the volume by a third of the move times the area around it at most (that of its star
+/// seen along the move, whose rim stays), so all of them, one after the other, by e A, A the largest area on the
+/// way. On the way all vertices are within m = rounding(r) of where they are written, and a triangle's area
+/// is within m/2 of its perimeter P, and m of that growing by m and 2 m: its own + m P / 2 + 3 m m / 2.
+/// Summing up adds less than kVolumeTolerance, since it is done relative to a corner.
+double volume_rounding(const Reconstruction& r) {
+  const double m = rounding(r);
+  double area = 0;
+  for (const auto& [i, j, k] : r.surface.triangles) {
+    const Vec3 a = r.surface.points[j] - r.surface.points[i], b = r.surface.points[k] - r.surface.points[i];
+    area += (norm(cross(a, b)) + m * (norm(a) + norm(b) + norm(b - a)) + 3 * m * m) / 2;
+  }
+  return last_places(r) * area;
+}
+
 /// What plates do beside the sections: nothing is bare any more but needles, and they are no higher than
 /// asked.
-std::string plate_complaint(const SectionSet& set, const Report& report, const Report& bare,
+std::string plate_complaint(const SectionSet& set, const Reconstruction& with, const Reconstruction& without,
                             const SectionJudge& judge) {
-  const double unit = std::pow(report.diagonal, 3);
+  const Report &report = with.report, &bare = without.report;
+  const double room = kVolumeTolerance * std::pow(report.diagonal, 3) + volume_rounding(with) +
+                      volume_rounding(without);
   if (judge.widest_flat > kNeedle)
     return "an area of " + number(report.flat_area) + ", " + number(judge.widest_flat) +
            " units of the grid wide, is flat in spite of plates";
@@ -142,8 +164,7 @@ std::string plate_complaint(const SectionSet& set, const Report& report, const R
     return "plates, but not where it was flat";
   if (!(report.thickness <= set.options.thicken * report.diagonal)) return "plates are higher than asked";
   const double most = bare.volume + 1.001 * bare.flat_area * report.thickness;
-  if (!(report.volume >= bare.volume - kVolumeTolerance * unit &&
-        report.volume <= most + kVolumeTolerance * unit))
+  if (!(report.volume >= bare.volume - room && report.volume <= most + room))
     return "the volume is " + number(report.volume) + " with plates, " + number(bare.volume) + " without";
   return {};
 }
@@ -202,7 +223,7 @@ Verdict judge_with_plates(const SectionSet& set) {
   if (verdict.error.has_value() != refused_before)
     verdict.broken = "refused only with plates, or only without";
   else if (r)
-    verdict.broken = plate_complaint(set, r->report, before->report, sections);
+    verdict.broken = plate_complaint(set, *r, *before, sections);
   verdict.outside = sections.plate_edges_outside;
   verdict.bare = r && r->report.flat_regions != 0;
   return verdict;

@@ -1,12 +1,13 @@
 /// Random small section sets through the pipeline, each judged by all promises (promises.h).
 ///
 ///   stress [--count N] [--seed S] [--first K] [--threads T] [--keep FOLDER] [--mode
-///   natural|joint|paper|careful|thick|far]
+///   natural|joint|paper|careful|thick|far|far_thick]
 ///
 /// Mode careful: natural, with points inside all cells, and joins in doubt decided by what is around in all.
 /// Mode thick: any of the three, with plates over what is flat, and some with all copies moved apart or as
 /// careful.
 /// Mode far: any of the three, moved away by 1e3 to 1e13 sizes, where rounding makes triangles cross.
+/// Mode far_thick: both.
 /// Input k of seed S is the same whatever the others are: --first K --count 1 repeats it. Broken promises are
 /// printed, with --keep also kept as FOLDER/S-K.bytes (an input of the fuzz target, for mode far before it is
 /// moved) and FOLDER/S-K.contour.
@@ -188,8 +189,8 @@ bool parse_number(const char* text, std::uint64_t& number) {
 bool parse_mode(const std::string& name, Arguments& a) {
   a.careful = name == "careful";
   if (a.careful) a.mode = PruneMode::natural;
-  a.thick = name == "thick";
-  a.far = name == "far";
+  a.thick = name == "thick" || name == "far_thick";
+  a.far = name == "far" || name == "far_thick";
   if (a.thick || a.far) return true;
   for (const PruneMode m : {PruneMode::natural, PruneMode::joint, PruneMode::paper})
     if (name == name_of(m)) a.mode = m;

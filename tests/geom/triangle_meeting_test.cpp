@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <random>
 #include <vector>
 
 using namespace crossloft;
@@ -131,4 +132,27 @@ TEST_CASE("touching in one plane") {
   CHECK(touch(kBase, {kBase[0], kBase[1], Vec3{1, 1, 0}}, 2));
   CHECK_FALSE(touch(kBase, {kBase[0], kBase[1], Vec3{1, -1, 0}}, 2));
   CHECK_FALSE(touch(kBase, {kBase[0], kBase[1], Vec3{1, 1, 1}}, 2));
+}
+
+// Corners in the other's plane, shared corners and coplanar triangles are frequent on small grids.
+TEST_CASE("random triangles cross iff an edge of one pierces the other") {
+  std::mt19937 random(5);
+  for (int n = 0; n < 200000; ++n) {
+    CAPTURE(n);
+    const unsigned size = n % 2 == 0 ? 5 : 9;
+    const auto draw = [&] { return static_cast<double>(random() % size); };
+    Corners a, b;
+    for (Corners* t : {&a, &b})
+      for (Vec3& p : *t) p = {draw(), draw(), draw()};
+    if (n % 3 == 0) b[1] = a[2];
+    bool pierced = false;
+    for (std::size_t k = 0; k < 3; ++k)
+      pierced = pierced || piercing(a[k], a[(k + 1) % 3], b) == Piercing::pierces ||
+                piercing(b[k], b[(k + 1) % 3], a) == Piercing::pierces;
+    const Meeting found = meeting(a, b);
+    REQUIRE((found == Meeting::crossing) == pierced);
+    const Sides a_side{side_of(b, a[0]), side_of(b, a[1]), side_of(b, a[2])};
+    const Sides b_side{side_of(a, b[0]), side_of(a, b[1]), side_of(a, b[2])};
+    REQUIRE(meeting(a, a_side, b, b_side) == found);
+  }
 }
