@@ -313,7 +313,7 @@ Result<FramedSections> frame_sections(const Sections& in, double plane_tolerance
   out.notes = std::move(normalised->notes);
   out.warnings = std::move(normalised->warnings);
   out.diagonal = normalised->diagonal;
-  if (in.part_of) out.whole = normalised->extent;
+  out.whole = normalised->extent;
   if (out.diagonal == 0) {
     out.warnings.push_back("no section has a contour");
     return out;

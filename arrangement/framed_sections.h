@@ -37,7 +37,7 @@ struct FramedPlane {
 struct FramedSections {
   WorldGrid grid;
   double diagonal = 0;                       ///< of the bounding box of all walls, input units
-  Bounds whole;                              ///< that box, if these are a part of the sections; else empty
+  Bounds whole;                              ///< that box, also of walls that are not in this part
   std::vector<FramedPlane> planes;           ///< distinct planes, in canonical order: by (normal, offset)
   std::uint32_t pencils = 0;                 ///< lines that three or more planes share exactly
   std::uint32_t common_points = 0;           ///< points near the data that four or more planes share exactly,

@@ -43,9 +43,9 @@ class Stopwatch {
 class EdgeRing;
 struct Window;
 
-/// One component of the surface, not the largest, as cells see it.
+/// One component of the surface, as cells see it.
 struct Piece {
-  bool is_cavity = false;
+  bool is_cavity = false, is_largest = false;
   std::map<std::uint32_t, std::vector<TetName>> bodies;     ///< by cell: its tetrahedra at the surface
   std::map<std::uint32_t, std::vector<Triangle>> cavities;  ///< by cell: facets at it
 };

@@ -1,6 +1,7 @@
 #include "stack.h"
 
 #include <algorithm>
+#include <map>
 #include <optional>
 #include <set>
 
@@ -168,11 +169,13 @@ class StackBuilder {
     const auto is_between = [&](std::uint32_t slab) {
       return (low == kNone || slab > low) && (high == kNone || slab <= high);
     };
+    std::map<std::uint32_t, std::uint32_t> cells;  // by slab: at most one has tetrahedra
     for (std::uint32_t c = 0; c < from.cells.size(); ++c)
-      if (is_between(window.cell_slab[c])) {
-        report_.cells.push_back(from.cells[c]);
-        add_up(from.cells[c], report_.topology);
-      }
+      if (is_between(window.cell_slab[c])) cells.emplace(window.cell_slab[c], c);
+    for (const auto& [slab, c] : cells) {
+      report_.cells.push_back(from.cells[c]);
+      add_up(from.cells[c], report_.topology);
+    }
     for (std::uint32_t s = 0; s < window.slab_tets.size(); ++s)
       if (is_between(s)) report_.solid_tets += window.slab_tets[s];
     add_new(window.framing_notes, report_.notes);

@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <numeric>
 #include <random>
@@ -308,11 +309,49 @@ TEST_CASE("Random stacks") {
     options.branching.mode = seed % 5 == 0 ? Branching::all : Branching::automatic;
     const Streamed parts = streamed(sections, options);
     CHECK(verify_surface(static_cast<std::uint32_t>(parts.surface.points.size()), parts.surface.triangles));
-    // Without the second look, which sees no more than a window.
-    options.natural.alone_confidence = 1;
+    // But for cavities, of which the second look sees no more than a window has.
     options.natural.cavity_confidence = -1;
     check_streamed(sections, options);
   }
+}
+
+TEST_CASE("Bodies that one plane alone has met are joined alike, whichever is the largest of a window") {
+  for (std::uint32_t seed = 1; seed <= 20; ++seed) {
+    CAPTURE(seed);
+    std::mt19937 random(seed);
+    const auto below = [&](std::uint32_t n) { return static_cast<double>(random() % n); };
+    Sections sections;
+    double z = 0;
+    for (int p = 0; p < 26; ++p) {
+      PlaneSection& plane = sections.planes.emplace_back();
+      z += 0.5 + 0.0625 * below(16);
+      plane.normal = {0, 0, 1};
+      plane.offset = -z;
+      const double x = 2 * (p % 2), size = 1 + 0.0625 * below(5);
+      plane.vertices = {{x, 0, z}, {x + size, 0, z}, {x + size, 1, z}, {x, 1, z}};
+      for (std::uint32_t i = 0; i < 4; ++i) plane.edges.push_back({i, (i + 1) % 4, 1, 0, 0, 0});
+    }
+    check_streamed(sections);
+  }
+}
+
+TEST_CASE("The report has the cells from the lowest to the highest") {
+  Sections sections;
+  const Vec3 a = {0.6, 0.8, 0}, b = {-0.64, 0.48, -0.6}, n = {0.48, -0.36, -0.8};
+  for (std::uint32_t p = 0; p < 24; ++p) {
+    PlaneSection& plane = sections.planes.emplace_back();
+    plane.normal = n;
+    plane.offset = -0.25 * p;
+    const std::uint32_t corners = p + 3;
+    for (std::uint32_t i = 0; i < corners; ++i) {
+      const double turn = 6.283185307179586 * i / corners;
+      plane.vertices.push_back(std::cos(turn) * a + std::sin(turn) * b + 0.25 * p * n);
+      plane.edges.push_back({i, (i + 1) % corners, 1, 0, 0, 0});
+    }
+  }
+  const Streamed parts = check_streamed(sections);
+  REQUIRE(parts.report.cells.size() == 23);
+  for (std::uint32_t c = 0; c < 23; ++c) CHECK(parts.report.cells[c].vertices == (c + 3) + (c + 4));
 }
 
 TEST_CASE("Requests of the user act in the windows that have both planes") {
