@@ -49,7 +49,8 @@ struct FramedSections {
 ///
 /// Walls are the edges with exactly one material 0; edges of equal coordinates cancel in pairs. Contours with
 /// less than three distinct vertices or without area are dropped with a warning. Planes that agree within
-/// 1e-9 of the diagonal over the extent of the data become one; planes through one line or one point within
+/// 1e-9 of the diagonal over the extent of the data become one; normals that rounding keeps from being
+/// parallel are (directions.h); planes through one line or one point within
 /// that tolerance keep it exactly where the integers allow. All vertices lie within |x| <= 1.25 * 2^48. A
 /// plane without walls that stays outside the cube |x| <= 2^49 is dropped with a note. Without any wall the
 /// result has no planes and a warning.

@@ -157,6 +157,24 @@ TEST_CASE("normals of any length mean the same plane") {
     CHECK(std::fabs(other[i] - geometry[i]) <= 1e-12);
 }
 
+TEST_CASE("normals of different length make parallel planes, in any order") {
+  std::mt19937_64 random(12);
+  for (int trial = 0; trial < 50; ++trial) {
+    const Vec3 n = unit(random_vector(random));
+    Sections in{"lengths", {}};
+    for (const double factor : {1.0, 3.0, -3.0, 0.7}) {
+      PlaneSection plane = disk(n, static_cast<double>(in.planes.size()) * n, 1, 5);
+      plane.normal = factor * plane.normal, plane.offset *= factor;
+      in.planes.push_back(plane);
+    }
+    const FramedSections f = framed(in);
+    REQUIRE(f.planes.size() == 4);
+    for (const FramedPlane& p : f.planes) CHECK(p.plane.normal == f.planes[0].plane.normal);
+    std::reverse(in.planes.begin(), in.planes.end());
+    CHECK(geometry_of(framed(in)) == geometry_of(f));
+  }
+}
+
 TEST_CASE("planes tilted by a hair stay near their data") {
   for (const double tilt : {1e-3, 1e-5, 1e-7, 1e-8, 1e-10, 1e-13}) {
     CAPTURE(tilt);

@@ -5,10 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <numeric>
 #include <random>
+#include <set>
 
+#include "../../geom/frame.h"
 #include "../../inspect/check.h"
 #include "../../inspect/slice.h"
 #include "../../inspect/solids.h"
@@ -201,6 +204,26 @@ TEST_CASE("The order of the planes in the file, their normals and the threads do
   const Streamed one = streamed(sections, {}, 1, 1), two = streamed(sections, {}, 1, 2);
   CHECK(one.surface.points == two.surface.points);
   CHECK(one.surface.triangles == two.surface.triangles);
+}
+
+TEST_CASE("Normals may have different lengths and signs, however slanted the planes are") {
+  std::mt19937 random(3);
+  for (int found = 0; found < 2;) {
+    const auto coordinate = [&] { return 0.1 + random() * 0x1p-33; };
+    const Vec3 direction{coordinate(), -coordinate(), coordinate()};
+    Sections sections = stack_of(torus(1, 0.4, 24, 16), 30, direction);
+    static constexpr double kFactors[] = {3, 1, -3, 0.7, -1.1, 5, -7, 0.3};
+    std::set<LatticeVector> different;
+    for (std::size_t p = 0; p < sections.planes.size(); ++p) {
+      const double factor = kFactors[p % std::size(kFactors)];
+      sections.planes[p].normal = factor * sections.planes[p].normal;
+      sections.planes[p].offset *= factor;
+      different.insert(quantise_direction(sections.planes[p].normal));
+    }
+    if (different.size() == 1) continue;  // as of most directions
+    ++found;
+    check_streamed(sections);
+  }
 }
 
 TEST_CASE("One window is enough for a small stack, and windows hold what they are asked to") {
