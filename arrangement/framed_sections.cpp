@@ -327,7 +327,7 @@ Result<FramedSections> frame_sections(const Sections& in, double plane_tolerance
   out.diagonal = normalised->diagonal;
   out.whole = normalised->extent;
   if (out.diagonal == 0) {
-    out.warnings.push_back("no section has a contour");
+    out.warnings.push_back(kNoContour);
     return out;
   }
   out.grid = WorldGrid(normalised->extent.low, normalised->extent.high);
@@ -350,7 +350,7 @@ Result<FramedSections> frame_sections(const Sections& in, double plane_tolerance
   if (std::all_of(out.planes.begin(), out.planes.end(),
                   [](const FramedPlane& p) { return p.walls.empty(); })) {
     out.planes.clear();  // there is no box around no vertex
-    if (!in.part_of) out.warnings.push_back("no contour is wide enough to be told from a line");
+    if (!in.part_of) out.warnings.push_back(kNoWideContour);
   }
   return out;
 }

@@ -45,6 +45,10 @@ struct FramedSections {
   std::vector<std::string> notes, warnings;  ///< one sentence each
 };
 
+/// Warnings of a result without planes: there was no wall at all, or none that was left.
+inline constexpr const char* kNoContour = "no section has a contour";
+inline constexpr const char* kNoWideContour = "no contour is wide enough to be told from a line";
+
 /// Checks the sections and brings them into the exact model.
 ///
 /// Walls are the edges with exactly one material 0; edges of equal coordinates cancel in pairs. Contours with

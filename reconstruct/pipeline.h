@@ -43,6 +43,9 @@ class Stopwatch {
 class EdgeRing;
 struct Window;
 
+/// What the report says of a surface without triangles, by the number of planes with a section.
+std::string why_empty(std::size_t filled);
+
 /// One component of the surface, as cells see it.
 struct Piece {
   bool is_cavity = false, is_largest = false;

@@ -252,7 +252,29 @@ TEST_CASE("Empty planes part the solid wherever windows end") {
   for (PlaneSection& plane : sections.planes) plane.vertices.clear(), plane.edges.clear();
   const Streamed nothing = streamed(sections);
   CHECK(nothing.surface.triangles.empty());
-  CHECK(nothing.report.warnings.size() == 1);
+  CHECK(nothing.report.warnings == reconstruct(sections)->report.warnings);
+}
+
+TEST_CASE("Why nothing came out is told as at once") {
+  Sections sections;
+  for (std::uint32_t p = 0; p < 24; ++p) {
+    PlaneSection& plane = sections.planes.emplace_back();
+    const double z = p;
+    plane.normal = {0, 0, 1};
+    plane.offset = -z;
+    plane.vertices = {{0, 0, z}, {1, 0, z}, {0.5, 0, z}};
+    for (std::uint32_t i = 0; i < 3; ++i) plane.edges.push_back({i, (i + 1) % 3, 1, 0, 0, 0});
+  }
+  const auto agree = [&](std::size_t warnings) {
+    const auto whole = reconstruct(sections);
+    REQUIRE(whole.ok());
+    CHECK(whole->surface.triangles.empty());
+    CHECK(whole->report.warnings.size() == warnings);
+    CHECK(streamed(sections, {}, 1, 1, 6).report.warnings == whole->report.warnings);
+  };
+  agree(26);  // of each contour, that there is none, and that there is no surface
+  sections.planes[12].vertices[2].y = 1;
+  agree(24);
 }
 
 TEST_CASE("Planes that are one, or almost one, are so in windows too") {
@@ -356,6 +378,26 @@ TEST_CASE("Bodies that one plane alone has met are joined alike, whichever is th
     }
     check_streamed(sections);
   }
+}
+
+TEST_CASE("What still touches after --separate is counted once, wherever windows end") {
+  std::uint64_t contacts = 0;
+  for (std::uint32_t seed = 1; seed <= 12; ++seed) {
+    CAPTURE(seed);
+    const Sections sections = random_stack(seed, 26);
+    Options options;
+    options.separation = 1e-6;
+    options.natural.cavity_confidence = -1;
+    const auto whole = reconstruct(sections, options);
+    REQUIRE(whole.ok());
+    const Streamed parts = check_streamed(sections, options);
+    contacts += whole->report.contacts;
+    const std::string told = std::to_string(whole->report.contacts) + " pairs of triangles touch";
+    const auto& warnings = parts.report.warnings;
+    CHECK(std::count(warnings.begin(), warnings.end(), told) == (whole->report.contacts != 0 ? 1 : 0));
+  }
+  MESSAGE(contacts << " contacts");
+  CHECK(contacts > 0);
 }
 
 TEST_CASE("The report has the cells from the lowest to the highest") {
