@@ -336,7 +336,8 @@ Result<FramedSections> frame_sections(const Sections& in, double plane_tolerance
         "the data are far from the origin for their size: coordinates are rounded when written");
   const double radius = std::ceil(out.diagonal / out.grid.unit() / 2), tolerance = 2 * radius * kCoincidence;
 
-  const std::vector<Candidate> candidates = collect_candidates(*normalised, directions_of(*normalised, in.part_of), out);
+  const std::vector<Candidate> candidates =
+      collect_candidates(*normalised, directions_of(*normalised, in.part_of), out);
   Groups groups = group_equal(candidates, radius, tolerance);
   std::vector<PlaneWish> wishes;
   for (const auto& group : groups) wishes.push_back(wish_of(group));

@@ -27,7 +27,8 @@ TEST_CASE("a normal and its multiples are one direction") {
   for (int trial = 0; trial < 2000; ++trial) {
     const Vec3 n = random_vector(random);
     std::vector<LatticeVector> directions;
-    for (const double factor : {1.0, 3.0, -3.0, 0.7, -1e-9}) directions.push_back(quantise_direction(factor * n));
+    for (const double factor : {1.0, 3.0, -3.0, 0.7, -1e-9})
+      directions.push_back(quantise_direction(factor * n));
     different += directions[0] != directions[1] ? 1 : 0;
     const std::vector<LatticeVector> one = unified(directions);
     CHECK(std::count(one.begin(), one.end(), one[0]) == 5);

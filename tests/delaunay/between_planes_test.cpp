@@ -222,8 +222,8 @@ TEST_CASE("two planes: contours as circles, whose centres have many neighbours")
 }
 
 TEST_CASE("two planes: a hub that is turned around for each of many triangles is left to insertion") {
-  // All triangles of a cluster have the hub over them as apex. They are visited one beside the other, and their
-  // edges look into all directions.
+  // All triangles of a cluster have the hub over them as apex. They are visited one beside the other, and
+  // their edges look into all directions.
   Coefficients hub = circle(2000, 1e8, 0, 0);
   hub.push_back({0, 0});
   const Scene s = scene(kParallel, {random_square(1500, 1000, 1), hub});
