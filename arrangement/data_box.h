@@ -6,8 +6,9 @@
 
 namespace crossloft {
 
-/// The bounding box of all vertices with a margin of an eighth: cells further out hold nothing. The box of a
-/// part is that of the whole, up to how far vertices move to the lattice: how sure a join is depends on it.
+/// The bounding box of all walls with a margin of an eighth: cells further out hold nothing. Vertices that
+/// the file has so far off their planes that they leave half the margin widen it. But for those a part has
+/// the box of the whole: how sure a join is depends on it. REQUIRES: a plane.
 LatticeBox data_box(const FramedSections& framed);
 
 }  // namespace crossloft

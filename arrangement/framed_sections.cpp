@@ -7,6 +7,7 @@
 #include "../geom/frame.h"
 #include "../geom/parallel.h"
 #include "coplanar_sections.h"
+#include "directions.h"
 #include "normalise.h"
 #include "plane_frames.h"
 
@@ -57,11 +58,22 @@ bool comes_near(const Candidate& c) {
   return std::fabs(c.plane.offset) <= kCubeHalf * (std::fabs(n.x) + std::fabs(n.y) + std::fabs(n.z));
 }
 
+/// By section.
+std::vector<LatticeVector> directions_of(const NormalisedSections& in, const std::optional<PartOf>& part_of) {
+  std::vector<LatticeVector> directions;
+  for (const WallSection& s : in.sections) directions.push_back(quantise_direction(s.normal));
+  unify_directions(directions);
+  if (part_of && part_of->direction) std::fill(directions.begin(), directions.end(), *part_of->direction);
+  return directions;
+}
+
 /// The candidates in an order that the file's does not enter, as far as they differ.
-std::vector<Candidate> collect_candidates(const NormalisedSections& in, FramedSections& out) {
+std::vector<Candidate> collect_candidates(const NormalisedSections& in,
+                                          const std::vector<LatticeVector>& directions, FramedSections& out) {
   std::vector<Candidate> candidates;
-  for (const WallSection& s : in.sections) {
-    Candidate c{&s, quantise_direction(s.normal), {}, {}};
+  for (std::size_t i = 0; i < in.sections.size(); ++i) {
+    const WallSection& s = in.sections[i];
+    Candidate c{&s, directions[i], {}, {}};
     c.plane.normal = unit_vector(c.direction);
     c.plane.offset = offset_of(c, out.grid);
     c.points.reserve(s.vertices.size());
@@ -313,9 +325,9 @@ Result<FramedSections> frame_sections(const Sections& in, double plane_tolerance
   out.notes = std::move(normalised->notes);
   out.warnings = std::move(normalised->warnings);
   out.diagonal = normalised->diagonal;
-  if (in.part_of) out.whole = normalised->extent;
+  out.whole = normalised->extent;
   if (out.diagonal == 0) {
-    out.warnings.push_back("no section has a contour");
+    out.warnings.push_back(kNoContour);
     return out;
   }
   out.grid = WorldGrid(normalised->extent.low, normalised->extent.high);
@@ -324,7 +336,8 @@ Result<FramedSections> frame_sections(const Sections& in, double plane_tolerance
         "the data are far from the origin for their size: coordinates are rounded when written");
   const double radius = std::ceil(out.diagonal / out.grid.unit() / 2), tolerance = 2 * radius * kCoincidence;
 
-  const std::vector<Candidate> candidates = collect_candidates(*normalised, out);
+  const std::vector<Candidate> candidates =
+      collect_candidates(*normalised, directions_of(*normalised, in.part_of), out);
   Groups groups = group_equal(candidates, radius, tolerance);
   std::vector<PlaneWish> wishes;
   for (const auto& group : groups) wishes.push_back(wish_of(group));
@@ -338,7 +351,7 @@ Result<FramedSections> frame_sections(const Sections& in, double plane_tolerance
   if (std::all_of(out.planes.begin(), out.planes.end(),
                   [](const FramedPlane& p) { return p.walls.empty(); })) {
     out.planes.clear();  // there is no box around no vertex
-    if (!in.part_of) out.warnings.push_back("no contour is wide enough to be told from a line");
+    if (!in.part_of) out.warnings.push_back(kNoWideContour);
   }
   return out;
 }

@@ -37,7 +37,7 @@ struct FramedPlane {
 struct FramedSections {
   WorldGrid grid;
   double diagonal = 0;                       ///< of the bounding box of all walls, input units
-  Bounds whole;                              ///< that box, if these are a part of the sections; else empty
+  Bounds whole;                              ///< that box, also of walls that are not in this part
   std::vector<FramedPlane> planes;           ///< distinct planes, in canonical order: by (normal, offset)
   std::uint32_t pencils = 0;                 ///< lines that three or more planes share exactly
   std::uint32_t common_points = 0;           ///< points near the data that four or more planes share exactly,
@@ -45,11 +45,16 @@ struct FramedSections {
   std::vector<std::string> notes, warnings;  ///< one sentence each
 };
 
+/// Warnings of a result without planes: there was no wall at all, or none that was left.
+inline constexpr const char* kNoContour = "no section has a contour";
+inline constexpr const char* kNoWideContour = "no contour is wide enough to be told from a line";
+
 /// Checks the sections and brings them into the exact model.
 ///
 /// Walls are the edges with exactly one material 0; edges of equal coordinates cancel in pairs. Contours with
 /// less than three distinct vertices or without area are dropped with a warning. Planes that agree within
-/// 1e-9 of the diagonal over the extent of the data become one; planes through one line or one point within
+/// 1e-9 of the diagonal over the extent of the data become one; normals that rounding keeps from being
+/// parallel are (directions.h); planes through one line or one point within
 /// that tolerance keep it exactly where the integers allow. All vertices lie within |x| <= 1.25 * 2^48. A
 /// plane without walls that stays outside the cube |x| <= 2^49 is dropped with a note. Without any wall the
 /// result has no planes and a warning.

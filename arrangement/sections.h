@@ -1,6 +1,7 @@
 #pragma once
 /// The input of a reconstruction: cutting planes with the closed contours of their sections, in input units.
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -36,6 +37,8 @@ struct PartOf {
   std::vector<std::uint32_t> positions;   ///< by plane of the part: its position in the file
   Bounds extent;                          ///< of all walls of the file, also of contours without area
   Bounds wide = {};                       ///< of those that have one; if none has, of all
+  /// Of quantise_direction(): that all planes of the file have, if they are a stack.
+  std::optional<std::array<std::int64_t, 3>> direction = {};
 };
 
 struct Sections {

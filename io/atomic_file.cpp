@@ -1,31 +1,21 @@
 #include "atomic_file.h"
-#include "../geom/failing.h"
 
 #include <cerrno>
 #include <filesystem>
-#include <memory>
 #include <system_error>
 #include <utility>
+
+#include "../geom/failing.h"
+#include "open_file.h"
 
 namespace crossloft {
 namespace {
 
 namespace fs = std::filesystem;
 
-std::string reason(int error) { return std::error_code(error, std::generic_category()).message(); }
-
-Error not_readable(const std::string& path, const std::string& why) {
-  return {.code = ErrorCode::file_not_readable, .message = "cannot be read: " + why, .file = path};
-}
-
 Error not_writable(const std::string& path, const std::string& why) {
   return {.code = ErrorCode::file_not_writable, .message = "cannot be written: " + why, .file = path};
 }
-
-struct CloseFile {
-  void operator()(std::FILE* file) const { std::fclose(file); }
-};
-using File = std::unique_ptr<std::FILE, CloseFile>;
 
 /// The file that a write to `path` would reach. A link that leads nowhere is left to fopen.
 std::string resolve(const std::string& path) {
@@ -52,16 +42,13 @@ std::FILE* create_beside(const std::string& target, std::string& name) {
 }  // namespace
 
 Result<Done> read_pieces(const std::string& path, const std::function<bool(std::string_view)>& take) {
-  std::error_code ignored;
-  if (fs::is_directory(path, ignored)) return not_readable(path, "it is a directory");
-  errno = 0;
-  const File file(std::fopen(path.c_str(), "rb"));
-  if (file == nullptr) return not_readable(path, reason(errno));
-
+  const auto file = open_to_read(path);
+  if (!file) return file.error();
   char buffer[kPieceBytes];
-  for (std::size_t n = 0; (n = std::fread(buffer, 1, sizeof buffer, file.get())) != 0;)
+  errno = 0;
+  for (std::size_t n = 0; (n = std::fread(buffer, 1, sizeof buffer, file->get())) != 0;)
     if (!take({buffer, n})) return Done{};
-  if (std::ferror(file.get()) != 0) return not_readable(path, reason(errno));
+  if (std::ferror(file->get()) != 0) return not_readable(path, reason(errno));
   return Done{};
 }
 
@@ -91,7 +78,7 @@ Result<AtomicFile> AtomicFile::create(const std::string& path) {
   errno = 0;
   if (fs::is_regular_file(status)) {
     // Renaming would replace a target that its owner has made read-only: ask first.
-    const File probe(std::fopen(out.target_.c_str(), "r+b"));
+    const OpenFile probe(std::fopen(out.target_.c_str(), "r+b"));
     if (probe == nullptr) return not_writable(path, reason(errno));
   }
   if (fs::exists(status) && !fs::is_regular_file(status)) {

@@ -3,34 +3,28 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
-#include <filesystem>
-#include <system_error>
 #include <utility>
 #include <vector>
 
 #include "../geom/failing.h"
 #include "file_extension.h"
+#include "open_file.h"
 #include "section_conventions.h"
 #include "section_grammar.h"
 
 namespace crossloft {
 namespace {
 
-struct CloseFile {
-  void operator()(std::FILE* file) const { std::fclose(file); }
-};
-
 /// Bytes of a file from anywhere.
 class RandomFile {
  public:
   static Result<RandomFile> open(const std::string& path) {
+    auto file = open_to_read(path);
+    if (!file) return file.error();
     RandomFile out;
     out.path_ = path;
-    std::error_code ignored;
-    if (std::filesystem::is_directory(path, ignored)) return out.error("it is a directory");
+    out.file_ = std::move(file).value();
     errno = 0;
-    out.file_.reset(std::fopen(path.c_str(), "rb"));
-    if (!out.file_) return out.error();
     if (std::fseek(out.file_.get(), 0, SEEK_END) != 0)
       return out.error(errno == ESPIPE ? "it is a pipe, and a stream reads its file more than once" : "");
     const long size = std::ftell(out.file_.get());
@@ -53,18 +47,11 @@ class RandomFile {
 
  private:
   Error error(const std::string& why = {}) const {
-    const int code = errno != 0 ? errno : EIO;
-    return {
-        ErrorCode::file_not_readable,
-        "cannot be read: " + (why.empty() ? std::error_code(code, std::generic_category()).message() : why),
-        path_,
-        0,
-        kNone,
-        kNone};
+    return not_readable(path_, why.empty() ? reason(errno != 0 ? errno : EIO) : why);
   }
 
   std::string path_;
-  std::unique_ptr<std::FILE, CloseFile> file_;
+  OpenFile file_;
   std::uint64_t size_ = 0;
 };
 

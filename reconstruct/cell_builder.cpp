@@ -175,6 +175,24 @@ Result<BuiltCell> CellBuilder::run(const CellTriangulation& triangulation) {
 
 }  // namespace
 
+std::vector<TetKinds> kinds_of(const CellComplex& complex) {
+  std::vector<TetKinds> kinds(complex.mesh.size());
+  for (std::uint32_t t = 0; t < kinds.size(); ++t) {
+    const auto& v = complex.mesh.vertices[t];
+    std::array<std::size_t, 4> slots{0, 1, 2, 3};
+    std::sort(slots.begin(), slots.end(), [&](std::size_t i, std::size_t j) { return v[i] < v[j]; });
+    for (std::size_t i = 0; i < 4; ++i) {
+      kinds[t].name[i] = v[slots[i]];
+      kinds[t].facets[i] = complex.facets[t][slots[i]];
+    }
+    for (std::size_t e = 0; e < 6; ++e)
+      kinds[t].edges[e] =
+          complex.edges[t][kEdgeCorner[slots[kEdgeSlots[e][0]]][slots[kEdgeSlots[e][1]]] - 4U];
+  }
+  std::sort(kinds.begin(), kinds.end());
+  return kinds;
+}
+
 Result<BuiltCell> build_cell(std::span<const CellFace> faces, const CellTriangulation& triangulation,
                              const LineEdges& line_edges, std::span<const std::uint32_t> graph_vertex_of) {
   return CellBuilder(faces, line_edges, graph_vertex_of).run(triangulation);

@@ -2,6 +2,8 @@
 /// One cell of the arrangement: Delaunay triangulation of its section vertices with its grounded simplices
 /// classified.
 
+#include <array>
+#include <compare>
 #include <span>
 #include <vector>
 
@@ -24,6 +26,18 @@ struct BuiltCell {
   /// prune/ground.h.
   std::vector<GroundTriangle> ground;
 };
+
+/// A tetrahedron by its vertices, ascending, with the kinds of the facets opposite to them and of the edges
+/// between them (kEdgeSlots).
+struct TetKinds {
+  TetName name{};
+  std::array<FacetKind, 4> facets{};
+  std::array<EdgeKind, 6> edges{};
+  friend auto operator<=>(const TetKinds&, const TetKinds&) = default;
+};
+
+/// All of them, ascending: equal for equal cells, however they were made. O(n log n).
+std::vector<TetKinds> kinds_of(const CellComplex& complex);
 
 /// Classifies R0. Local numbers of the result are in the order of the final ones. Without tetrahedra the
 /// complex is empty. Error internal if a face triangle is not a hull facet or a hull facet on a face not one

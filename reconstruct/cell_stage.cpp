@@ -27,13 +27,6 @@ std::vector<GroundTriangle> ground_under(const BuiltCell& cell, const std::vecto
   return list;
 }
 
-std::vector<TetName> names_of(const TetMesh& mesh) {
-  std::vector<TetName> names = mesh.vertices;
-  for (TetName& name : names) std::sort(name.begin(), name.end());
-  std::sort(names.begin(), names.end());
-  return names;
-}
-
 /// New lists of the cell's part of the solid, no longer than they need: together they are much of the memory.
 void renew_lists(const BuiltCell& cell, const std::vector<std::uint8_t>& kept, CellState& state) {
   const auto tets = static_cast<std::size_t>(std::count(kept.begin(), kept.end(), std::uint8_t{1}));
@@ -156,7 +149,9 @@ Result<Done> Pipeline::check_layer(std::span<const CellFace> faces, const BuiltC
   return self_check("Delaunay between two planes", [&] {
     CellTriangulation triangulation(faces.size());
     if (!triangulation.add(faces, numbering_.points)) return "no triangulation";
-    return names_of(triangulation.mesh()) == names_of(layer.complex.mesh) ? "" : "other tetrahedra";
+    const auto inserted = build_cell(faces, triangulation, *line_edges_, numbering_.graph_vertex);
+    if (!inserted) return "other facets";
+    return kinds_of(inserted->complex) == kinds_of(layer.complex) ? "" : "other tetrahedra or kinds";
   });
 }
 

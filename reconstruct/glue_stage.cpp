@@ -10,6 +10,7 @@
 #include "mend.h"
 #include "section_confinement.h"
 #include "self_check.h"
+#include "window.h"
 
 namespace crossloft {
 namespace {
@@ -161,7 +162,11 @@ void Pipeline::separate(const GluedSurface& glued) {
   effort.halvings = kHalvings, effort.rounds = kRounds;
   take(separate_copies(result_.surface, glued.vertices, Anywhere{}, effort, context_));
   if (context_.cancelled()) return;
-  report.contacts = find_contacts(result_.surface).size();
+  const auto contacts = find_contacts(result_.surface);
+  report.contacts = contacts.size();
+  if (window_)
+    for (const auto& [a, b] : contacts)
+      window_->contact_slab.push_back(std::min(window_->triangle_slab[a], window_->triangle_slab[b]));
   if (report.contacts != 0)
     warn(std::to_string(report.contacts) + " pairs of triangles touch: " +
          std::to_string(report.touching_copies) + " vertices could not be moved apart");

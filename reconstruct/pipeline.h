@@ -45,9 +45,12 @@ class EdgeRing;
 struct OpenEdge;
 struct Window;
 
-/// One component of the surface, not the largest, as cells see it.
+/// What the report says of a surface without triangles, by the number of planes with a section.
+std::string why_empty(std::size_t filled);
+
+/// One component of the surface, as cells see it.
 struct Piece {
-  bool is_cavity = false;
+  bool is_cavity = false, is_largest = false;
   std::map<std::uint32_t, std::vector<TetName>> bodies;     ///< by cell: its tetrahedra at the surface
   std::map<std::uint32_t, std::vector<Triangle>> cavities;  ///< by cell: facets at it
 };

@@ -40,6 +40,13 @@ Result<Done> check_named(const PlaneSection* section, std::uint32_t plane, std::
   return Done{};
 }
 
+std::string why_empty(std::size_t filled) {
+  if (filled == 0) return "the surface is empty: no plane has a section";
+  if (filled == 1)
+    return "the surface is empty: only one plane has a section, so there is nothing to join it to";
+  return "the surface is empty: no two sections face each other within one cell of the arrangement";
+}
+
 Result<Done> Pipeline::check_options() const {
   for (const double tolerance : {options_.match_tolerance, options_.on_tolerance, options_.simplify,
                                  options_.thicken, options_.separation})
@@ -143,12 +150,7 @@ void Pipeline::explain_empty() {
   }
   std::size_t filled = 0;
   for (const auto& walls : graph_.walls) filled += !walls.empty();
-  if (filled == 0)
-    warn("the surface is empty: no plane has a section");
-  else if (filled == 1)
-    warn("the surface is empty: only one plane has a section, so there is nothing to join it to");
-  else
-    warn("the surface is empty: no two sections face each other within one cell of the arrangement");
+  warn(why_empty(filled));
 }
 
 Result<Reconstruction> Pipeline::run() {

@@ -19,6 +19,13 @@ namespace {
 
 /// A bump or a dent is met by one plane, by two at their line or by three at their point: so many cells.
 constexpr std::size_t kMostCellsOfBody = 8;
+/// The largest body is mostly what was cut. If one plane alone has met it, it is as small as others: so a
+/// window of a stack need not know which is the largest, where bodies that are alone have one plane each.
+constexpr std::size_t kMostCellsOfLargest = 2;
+
+std::size_t most_cells(const Piece& piece) {
+  return piece.is_largest ? kMostCellsOfLargest : kMostCellsOfBody;
+}
 
 /// A facet of the solid and the component of the surface that it is in.
 struct PieceFacet {
@@ -34,7 +41,40 @@ struct PieceTriangle {
   friend auto operator<=>(const PieceTriangle&, const PieceTriangle&) = default;
 };
 
-/// The components of a glued surface but the largest one.
+/// The different cells of a body, as far as there are few.
+class FewCells {
+ public:
+  /// How many there are with this one, up to the most that count and one.
+  std::size_t add(std::uint32_t cell) {
+    const auto end = cells_.begin() + static_cast<std::ptrdiff_t>(count_);
+    if (count_ < cells_.size() && std::find(cells_.begin(), end, cell) == end) cells_[count_++] = cell;
+    return count_;
+  }
+
+ private:
+  std::array<std::uint32_t, kMostCellsOfBody + 1> cells_{};
+  std::size_t count_ = 0;
+};
+
+/// The cell that each tetrahedron of the solid is of.
+class CellOfTet {
+ public:
+  explicit CellOfTet(std::span<const CellState> cells) : cells_(cells) {}
+
+  /// kNone for those of bridges, which cells don't know of.
+  std::uint32_t find(std::uint32_t tet) const {
+    const auto after =
+        std::upper_bound(cells_.begin(), cells_.end(), tet,
+                         [](std::uint32_t t, const CellState& cell) { return t < cell.first_tet; });
+    const auto c = static_cast<std::uint32_t>(after - cells_.begin() - 1);
+    return tet < cells_[c].first_tet + cells_[c].tet_count ? c : kNone;
+  }
+
+ private:
+  std::span<const CellState> cells_;  ///< `first_tet` ascending from 0 on
+};
+
+/// The components of a glued surface.
 class SurfacePieces {
  public:
   SurfacePieces(const GluedSurface& surface, const std::vector<LatticePoint>& points)
@@ -46,34 +86,44 @@ class SurfacePieces {
     measure();
   }
 
+  std::size_t count() const { return pieces_.size(); }
   std::vector<Piece> take() { return std::move(pieces_); }
 
   /// The facets of a boundary that has been cut apart to this surface, by number; those with midpoints are
-  /// left out.
-  std::vector<PieceFacet> facets(const PairedBoundary& boundary) {
+  /// left out, and more of bodies that are in too many cells than tells so.
+  std::vector<PieceFacet> facets(const PairedBoundary& boundary, const CellOfTet& cell_of) {
     std::vector<PieceFacet> list;
-    std::size_t next = 0;
-    for (const auto& t : surface_.triangles) {
-      const std::uint32_t piece = number_[sets_.find(t[0])];
-      if (piece == kNone) continue;
+    std::vector<FewCells> cells(pieces_.size());
+    std::vector<std::uint8_t> is_large(pieces_.size(), 0);
+    std::size_t next = 0, left = pieces_.size();
+    for (std::size_t t = 0; t < surface_.triangles.size() && left != 0; ++t) {
+      const std::uint32_t piece = number_[sets_.find(surface_.triangles[t][0])];
       Triangle vertices{};
-      bool whole = true;
-      for (std::size_t i = 0; i < 3; ++i) {
-        vertices[i] = surface_.vertices[t[i]].a;
-        whole = whole && !surface_.vertices[t[i]].is_midpoint();
-      }
-      if (!whole) continue;
+      if (is_large[piece] != 0 || !is_whole(surface_.triangles[t], vertices)) continue;
       // What is whole comes in the order of the boundary, from the same vertex on.
       while (next < boundary.triangles.size() && boundary.triangles[next] != vertices) ++next;
       assert(next < boundary.triangles.size());
       if (next == boundary.triangles.size()) break;
       list.push_back({boundary.facets[next], piece, vertices});
+      const std::uint32_t cell = pieces_[piece].is_cavity ? kNone : cell_of.find(boundary.facets[next] / 4);
+      if (cell == kNone || cells[piece].add(cell) <= most_cells(pieces_[piece])) continue;
+      is_large[piece] = 1;
+      --left;
     }
     std::sort(list.begin(), list.end(), [](const auto& x, const auto& y) { return x.number < y.number; });
     return list;
   }
 
  private:
+  /// With its vertices, unless one is a midpoint.
+  bool is_whole(const Triangle& triangle, Triangle& vertices) const {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const SurfaceVertex& v = surface_.vertices[triangle[i]];
+      if (v.is_midpoint()) return false;
+      vertices[i] = v.a;
+    }
+    return true;
+  }
   Vec3 place(std::uint32_t v) const {
     const SurfaceVertex& vertex = surface_.vertices[v];
     const LatticePoint& p = points_[vertex.a];
@@ -94,9 +144,9 @@ class SurfacePieces {
       if (std::fabs(volume[v]) > std::fabs(volume[largest])) largest = v;
     number_.assign(volume.size(), kNone);
     for (std::uint32_t v = 0; v < volume.size(); ++v) {
-      if (!sets_.is_root(v) || v == largest) continue;
+      if (!sets_.is_root(v)) continue;
       number_[v] = static_cast<std::uint32_t>(pieces_.size());
-      pieces_.push_back({volume[v] < 0, {}, {}});
+      pieces_.push_back({volume[v] < 0 && v != largest, v == largest, {}, {}});
     }
   }
 
@@ -106,6 +156,17 @@ class SurfacePieces {
   std::vector<std::uint32_t> number_;  ///< by vertex that is its component's smallest
   std::vector<Piece> pieces_;
 };
+
+/// False if the only body of the solid is surely not, as mostly: a few cells, on one face in each.
+bool may_be_alone(std::span<const CellState> cells) {
+  std::size_t count = 0;
+  for (const CellState& cell : cells) {
+    const auto elsewhere = [&](const GroundTriangle& g) { return g.face != cell.ground.front().face; };
+    if (std::any_of(cell.ground.begin(), cell.ground.end(), elsewhere)) return false;
+    count += cell.tet_count != 0 ? 1 : 0;
+  }
+  return count <= kMostCellsOfLargest;
+}
 
 void sort_vertices(Triangle& facet) { std::sort(facet.begin(), facet.end()); }
 
@@ -330,16 +391,16 @@ Result<std::vector<Piece>> Pipeline::find_pieces() {
   if (!boundary) return boundary.error();
   glued_ = std::make_unique<GluedSurface>(cut_apart(*boundary, window_ != nullptr));
   SurfacePieces found(*glued_, numbering_.points);
+  if (found.count() == 1 && !may_be_alone(cells_)) return std::vector<Piece>{};
+  std::vector<PieceFacet> facets = found.facets(*boundary, CellOfTet(cells_));
   std::vector<Piece> pieces = found.take();
-  if (pieces.empty()) return pieces;
-  std::vector<PieceFacet> facets = found.facets(*boundary);
   find_cells(cells_, tets_, facets, pieces);
   find_bare_cells(faces_, numbering_, *arrangement_, cavity_triangles(facets, pieces), pieces);
   const bool forbids =
       std::any_of(options_.joins.begin(), options_.joins.end(), [](const auto& j) { return !j.join; });
   const bool keeps = options_.natural.cavity_confidence <= -1;
   for (Piece& piece : pieces) {
-    if (piece.bodies.size() > kMostCellsOfBody || forbids) piece.bodies.clear();
+    if (piece.bodies.size() > most_cells(piece) || forbids) piece.bodies.clear();
     if (keeps) piece.cavities.clear();
   }
   return pieces;

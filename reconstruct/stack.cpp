@@ -1,6 +1,7 @@
 #include "stack.h"
 
 #include <algorithm>
+#include <map>
 #include <optional>
 #include <set>
 
@@ -168,17 +169,20 @@ class StackBuilder {
     const auto is_between = [&](std::uint32_t slab) {
       return (low == kNone || slab > low) && (high == kNone || slab <= high);
     };
+    std::map<std::uint32_t, std::uint32_t> cells;  // by slab: at most one has tetrahedra
     for (std::uint32_t c = 0; c < from.cells.size(); ++c)
-      if (is_between(window.cell_slab[c])) {
-        report_.cells.push_back(from.cells[c]);
-        add_up(from.cells[c], report_.topology);
-      }
+      if (is_between(window.cell_slab[c])) cells.emplace(window.cell_slab[c], c);
+    for (const auto& [slab, c] : cells) {
+      report_.cells.push_back(from.cells[c]);
+      add_up(from.cells[c], report_.topology);
+    }
     for (std::uint32_t s = 0; s < window.slab_tets.size(); ++s)
       if (is_between(s)) report_.solid_tets += window.slab_tets[s];
     add_new(window.framing_notes, report_.notes);
     add_new(window.framing_warnings, report_.warnings);
     merged_vertices_ += from.merged_vertices;
-    contacts_ += from.contacts;
+    contacts_ += static_cast<std::uint64_t>(
+        std::count_if(window.contact_slab.begin(), window.contact_slab.end(), is_between));
   }
 
   void add_plane(const PlaneReport& plane) {
@@ -206,8 +210,7 @@ class StackBuilder {
     report_.genus = totals.genus;
     report_.volume = totals.volume;
     if (report_.surface_triangles == 0)
-      report_.warnings.emplace_back(
-          "the surface is empty: no two sections face each other in neighbouring planes");
+      explain_empty();
     else if (report_.flat_regions != 0)
       report_.warnings.push_back(std::to_string(report_.flat_regions) +
                                  " section regions stay bare on both sides: the solid does not contain them");
@@ -216,8 +219,15 @@ class StackBuilder {
                                  " vertices were merged with others, as triangles crossed after rounding: "
                                  "some have no area; what two windows share is counted twice");
     if (contacts_ != 0)
-      report_.warnings.push_back(std::to_string(contacts_) +
-                                 " pairs of triangles touch; what two windows share is counted twice");
+      report_.warnings.push_back(std::to_string(contacts_) + " pairs of triangles touch");
+  }
+
+  void explain_empty() {
+    if (report_.planes.empty())
+      report_.warnings.emplace_back(planes_.extent.empty() ? kNoContour : kNoWideContour);
+    const auto filled = std::count_if(report_.planes.begin(), report_.planes.end(),
+                                      [](const PlaneReport& plane) { return plane.edges != 0; });
+    report_.warnings.push_back(why_empty(static_cast<std::size_t>(filled)));
   }
 
   SectionSource& source_;

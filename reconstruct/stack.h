@@ -48,7 +48,8 @@ struct StackOptions {
 struct StackReport {
   double diagonal = 0;
   std::uint32_t windows = 0;
-  std::vector<PlaneReport> planes;  ///< from the lowest to the highest along their normal
+  /// From the lowest to the highest along their normal, its first component that is not 0 being positive.
+  std::vector<PlaneReport> planes;
   std::vector<CellReport> cells;    ///< likewise
   TopologyReport topology;          ///< but for bridges and open edges
   std::uint64_t surface_vertices = 0, surface_triangles = 0, solid_tets = 0;
@@ -64,7 +65,8 @@ struct StackReport {
 
 /// Reconstructs a stack. The surface is the one that reconstruct() makes of all planes at once, in another
 /// order of vertices and triangles, but that the second look (README) sees a window only: a cavity that is
-/// higher than what two windows share may be left closed.
+/// higher than what two windows share may be left closed, and a chain of bodies of one plane each, as high,
+/// may be joined along other tetrahedra.
 ///
 /// The result depends on the planes, their order in the file and window_vertices, not on the threads. Errors:
 /// usage for planes that are not parallel, with plane and line, and for options that ask all planes

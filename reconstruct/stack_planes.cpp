@@ -1,9 +1,10 @@
 #include "stack_planes.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <optional>
 
+#include "../arrangement/directions.h"
 #include "../arrangement/normalise.h"
 #include "../geom/frame.h"
 
@@ -17,30 +18,25 @@ constexpr double kOneLevel = 2e-9;
 /// with a rounded unit vector, off by less than 9 units of 2^-53 of it, and differences by less than 18.
 constexpr double kRounding = 0x1p-48;
 
-/// The normal as frames see it: parallel planes have the same one.
-struct Direction {
-  LatticeVector quantised{};
-  Vec3 unit;
-};
-
-/// REQUIRES: finite, not 0.
-Direction direction_of(const Vec3& normal) {
-  Direction d{quantise_direction(normal), {}};
-  const Vec3 v{static_cast<double>(d.quantised[0]), static_cast<double>(d.quantised[1]),
-               static_cast<double>(d.quantised[2])};
-  d.unit = (1 / norm(v)) * v;
-  return d;
+/// The normal as frames see it.
+Vec3 unit_of(const LatticeVector& direction) {
+  const Vec3 v{static_cast<double>(direction[0]), static_cast<double>(direction[1]),
+               static_cast<double>(direction[2])};
+  return (1 / norm(v)) * v;
 }
 
-/// Where the plane is along the direction: half way between the extreme ends of walls, as frames place it.
-double offset_along(const Vec3& unit, const WallSection& plane) {
+/// The ends of a plane's walls along its normal; twice the foot of the origin if there are none.
+using Ends = std::array<Vec3, 2>;
+
+Ends ends_along(const Vec3& unit, const WallSection& plane) {
   if (plane.vertices.empty()) {
-    const Vec3 n = plane.normal;
-    return dot(unit, (-plane.offset / dot(n, n)) * n);
+    const Vec3 n = plane.normal, foot = (-plane.offset / dot(n, n)) * n;
+    return {foot, foot};
   }
-  double low = dot(unit, plane.vertices[0]), high = low;
-  for (const Vec3& v : plane.vertices) low = std::min(low, dot(unit, v)), high = std::max(high, dot(unit, v));
-  return low / 2 + high / 2;
+  const auto [low, high] =
+      std::minmax_element(plane.vertices.begin(), plane.vertices.end(),
+                          [&](const Vec3& a, const Vec3& b) { return dot(unit, a) < dot(unit, b); });
+  return {*low, *high};
 }
 
 double largest_coordinate(const Bounds& box) {
@@ -62,23 +58,31 @@ Error not_parallel(const std::string& file, const PlaneSection& plane, std::uint
 /// Takes the planes one after the other.
 class Surveyor {
  public:
-  explicit Surveyor(std::string name) : name_(std::move(name)) {}
+  Surveyor(std::string name, std::uint32_t count) : name_(std::move(name)), count_(count) {}
 
   Result<Done> take(PlaneSection plane) {
-    const auto position = static_cast<std::uint32_t>(offsets_.size());
+    const auto position = static_cast<std::uint32_t>(ends_.size());
     Sections alone{name_, {}, PartOf{{position}, {}}};
     alone.planes.push_back(std::move(plane));
     const auto walls = walls_of(alone);
     if (!walls) return walls.error();
     const PlaneSection& p = alone.planes[0];
-    const Direction direction = direction_of(p.normal);
-    if (!direction_) direction_ = direction;
-    if (direction.quantised != direction_->quantised) return not_parallel(name_, p, position);
-    offsets_.push_back(offset_along(direction_->unit, walls->front()));
+    if (auto good = take_direction(p, position); !good) return good;
+    ends_.push_back(ends_along(unit_of(directions_[0]), walls->front()));
     out_.vertices.push_back(static_cast<std::uint32_t>(p.vertices.size()));
     boxes_.push_back(bounds_of(walls->front().vertices));
     triangles_.push_back(least_triangle(walls->front()));
     out_.extent.join(boxes_.back());
+    return Done{};
+  }
+
+  /// Once all have been taken: whether they are parallel.
+  Result<Done> unify() {
+    std::vector<LatticeVector> unified = directions_;
+    unify_directions(unified);
+    for (std::size_t i = 0; i < unified.size(); ++i)
+      if (unified[i] != unified[0]) return first_of_[i];
+    out_.direction = unified[0];
     return Done{};
   }
 
@@ -98,7 +102,7 @@ class Surveyor {
     if (!walls) return walls.error();
     WallSection& section = walls->front();
     drop_flat(section, diagonal_of(out_.extent));
-    offsets_[position] = offset_along(direction_->unit, section);
+    ends_[position] = ends_along(unit_of(directions_[0]), section);
     boxes_[position] = bounds_of(section.vertices);
     return Done{};
   }
@@ -106,19 +110,32 @@ class Surveyor {
   StackPlanes finish() {
     for (const Bounds& box : boxes_) out_.wide.join(box);
     if (out_.wide.empty()) out_.wide = out_.extent;
-    for (std::uint32_t p = 0; p < offsets_.size(); ++p) out_.positions.push_back(p);
+    const Vec3 unit = unit_of(out_.direction);
+    std::vector<double> offsets;  // half way between the ends, as frames place a plane
+    for (const auto& [low, high] : ends_) offsets.push_back(dot(unit, low) / 2 + dot(unit, high) / 2);
+    for (std::uint32_t p = 0; p < offsets.size(); ++p) out_.positions.push_back(p);
     std::stable_sort(out_.positions.begin(), out_.positions.end(),
-                     [&](std::uint32_t a, std::uint32_t b) { return offsets_[a] < offsets_[b]; });
-    find_levels();
+                     [&](std::uint32_t a, std::uint32_t b) { return offsets[a] < offsets[b]; });
+    find_levels(offsets);
     return std::move(out_);
   }
 
  private:
-  void find_levels() {
+  /// As many directions as there are planes can be one, each a unit from the next.
+  Result<Done> take_direction(const PlaneSection& plane, std::uint32_t position) {
+    const LatticeVector direction = quantise_direction(plane.normal);
+    if (std::find(directions_.begin(), directions_.end(), direction) != directions_.end()) return Done{};
+    directions_.push_back(direction);
+    first_of_.push_back(not_parallel(name_, plane, position));
+    if (difference(direction, directions_[0]) > count_) return first_of_.back();
+    return Done{};
+  }
+
+  void find_levels(const std::vector<double>& offsets) {
     const double near = kOneLevel * diagonal_of(out_.wide) + kRounding * largest_coordinate(out_.wide);
     auto& positions = out_.positions;
     for (std::uint32_t r = 0; r < positions.size(); ++r)
-      if (r == 0 || offsets_[positions[r]] - offsets_[positions[r - 1]] > near) out_.begin_of.push_back(r);
+      if (r == 0 || offsets[positions[r]] - offsets[positions[r - 1]] > near) out_.begin_of.push_back(r);
     out_.begin_of.push_back(static_cast<std::uint32_t>(positions.size()));
     out_.level_of.resize(positions.size());
     for (std::uint32_t l = 0; l < out_.levels(); ++l) {
@@ -128,8 +145,11 @@ class Surveyor {
   }
 
   std::string name_;
-  std::optional<Direction> direction_;
-  std::vector<double> offsets_, triangles_;
+  std::uint32_t count_;
+  std::vector<LatticeVector> directions_;  ///< different ones, in the order they came; few
+  std::vector<Error> first_of_;            ///< by direction: what to say of the first plane that has it
+  std::vector<Ends> ends_;                 ///< by position, like the others
+  std::vector<double> triangles_;
   std::vector<Bounds> boxes_;
   StackPlanes out_;
 };
@@ -140,7 +160,7 @@ Result<StackPlanes> survey(SectionSource& source, const Context& context) {
   const std::uint32_t count = source.plane_count();
   if (count == 0)
     return Error{ErrorCode::no_plane, "there is no cutting plane", source.name(), 0, kNone, kNone};
-  Surveyor surveyor(source.name());
+  Surveyor surveyor(source.name(), count);
   for (std::uint32_t p = 0; p < count; ++p) {
     if (context.cancelled()) return make_error(ErrorCode::cancelled, "cancelled");
     context.report("survey", static_cast<double>(p) / count);
@@ -148,6 +168,7 @@ Result<StackPlanes> survey(SectionSource& source, const Context& context) {
     if (!plane) return plane.error();
     if (auto good = surveyor.take(std::move(plane).value()); !good) return good.error();
   }
+  if (auto good = surveyor.unify(); !good) return good.error();
   for (const std::uint32_t p : surveyor.in_doubt()) {
     if (context.cancelled()) return make_error(ErrorCode::cancelled, "cancelled");
     auto plane = source.read(p);
@@ -159,7 +180,7 @@ Result<StackPlanes> survey(SectionSource& source, const Context& context) {
 
 Result<Sections> read_part(SectionSource& source, const StackPlanes& planes, std::uint32_t first,
                            std::uint32_t last) {
-  Sections part{source.name(), {}, PartOf{{}, planes.extent, planes.wide}};
+  Sections part{source.name(), {}, PartOf{{}, planes.extent, planes.wide, planes.direction}};
   for (std::uint32_t r = planes.begin_of[first]; r < planes.begin_of[last]; ++r) {
     auto plane = source.read(planes.positions[r]);
     if (!plane) return plane.error();

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "../geom/lattice.h"
 #include "stack.h"
 
 namespace crossloft {
@@ -17,6 +18,7 @@ struct StackPlanes {
   std::vector<std::uint32_t> level_of;  ///< by position
   std::vector<std::uint32_t> vertices;  ///< by position
   Bounds extent, wide;                  ///< of all walls, of those of contours with area (PartOf)
+  LatticeVector direction{};            ///< that frames give all planes
 
   std::uint32_t levels() const { return static_cast<std::uint32_t>(begin_of.size()) - 1; }
   std::span<const std::uint32_t> level(std::uint32_t l) const {
@@ -25,7 +27,8 @@ struct StackPlanes {
 };
 
 /// Reads every plane once, those with contours that may have no area twice. Errors: those of the source,
-/// those of numbers and of contours that are not closed, and usage if a plane is not parallel to the first.
+/// those of numbers and of contours that are not closed, and usage if a plane is not parallel to the first
+/// (directions.h).
 Result<StackPlanes> survey(SectionSource& source, const Context& context);
 
 /// The planes of levels [first, last), as a part of the whole. Error: of the source.

@@ -21,6 +21,7 @@ struct Window {
   std::vector<std::uint32_t>
       vertex_plane;  ///< by vertex of the surface: the plane that it came from, or kNone
   std::vector<std::uint32_t> triangle_slab;
+  std::vector<std::uint32_t> contact_slab;  ///< by pair of triangles that touch: the lower slab of the two
   std::vector<std::uint32_t> cell_slab;  ///< by cell of the report
   std::vector<std::uint32_t> slab_tets;  ///< by slab: tetrahedra of the solid
   std::vector<std::string> framing_notes,

@@ -6,6 +6,7 @@
 #include <map>
 #include <random>
 
+#include "../../arrangement/data_box.h"
 #include "../../geom/frame.h"
 #include "polygon_sections.h"
 
@@ -154,6 +155,24 @@ TEST_CASE("normals of any length mean the same plane") {
   CHECK(other.size() == geometry.size());
   for (std::size_t i = 0; i < std::min(other.size(), geometry.size()); ++i)
     CHECK(std::fabs(other[i] - geometry[i]) <= 1e-12);
+}
+
+TEST_CASE("normals of different length make parallel planes, in any order") {
+  std::mt19937_64 random(12);
+  for (int trial = 0; trial < 50; ++trial) {
+    const Vec3 n = unit(random_vector(random));
+    Sections in{"lengths", {}};
+    for (const double factor : {1.0, 3.0, -3.0, 0.7}) {
+      PlaneSection plane = disk(n, static_cast<double>(in.planes.size()) * n, 1, 5);
+      plane.normal = factor * plane.normal, plane.offset *= factor;
+      in.planes.push_back(plane);
+    }
+    const FramedSections f = framed(in);
+    REQUIRE(f.planes.size() == 4);
+    for (const FramedPlane& p : f.planes) CHECK(p.plane.normal == f.planes[0].plane.normal);
+    std::reverse(in.planes.begin(), in.planes.end());
+    CHECK(geometry_of(framed(in)) == geometry_of(f));
+  }
 }
 
 TEST_CASE("planes tilted by a hair stay near their data") {
@@ -333,6 +352,24 @@ TEST_CASE("planes without contour: kept near the data, left out far away") {
   const FramedSections g = framed(none);
   CHECK(g.planes.empty());
   CHECK(g.warnings.size() == 1);
+}
+
+TEST_CASE("a part has the box of the whole") {
+  std::mt19937_64 random(11);
+  for (int trial = 0; trial < 20; ++trial) {
+    const Vec3 normal = unit(random_vector(random));
+    Sections in{"stack", {}}, part{"stack", {}, PartOf{}};
+    for (int p = 0; p < 6; ++p) in.planes.push_back(disk(normal, 0.3 * p * normal, 1, 40));
+    for (std::uint32_t p = 2; p < 5; ++p) {
+      part.planes.push_back(in.planes[p]);
+      part.part_of->positions.push_back(p);
+    }
+    for (const PlaneSection& p : in.planes)
+      for (const Vec3& v : p.vertices) part.part_of->extent.add(v), part.part_of->wide.add(v);
+    const LatticeBox whole = data_box(framed(in)), of_part = data_box(framed(part));
+    CHECK(whole.lower == of_part.lower);
+    CHECK(whole.upper == of_part.upper);
+  }
 }
 
 TEST_CASE("bad input and a raised flag") {

@@ -221,6 +221,17 @@ TEST_CASE("two planes: contours as circles, whose centres have many neighbours")
   }
 }
 
+TEST_CASE("two planes: a hub that is turned around for each of many triangles is left to insertion") {
+  // All triangles of a cluster have the hub over them as apex. They are visited one beside the other, and
+  // their edges look into all directions.
+  Coefficients hub = circle(2000, 1e8, 0, 0);
+  hub.push_back({0, 0});
+  const Scene s = scene(kParallel, {random_square(1500, 1000, 1), hub});
+  BetweenPlanes found;
+  CHECK_FALSE(delaunay_between_planes(s.points, s.sides, found));
+  check_scene(scene(kParallel, {random_square(100, 1000, 1), hub}));  // few of them are in time
+}
+
 TEST_CASE("two planes: triangulations that do not fit are refused") {
   Scene s = scene(kParallel, {random_square(60, 1000, 1), random_square(60, 1000, 2)});
   BetweenPlanes found;

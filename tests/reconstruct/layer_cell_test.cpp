@@ -26,30 +26,6 @@ struct Faces : Observer {
   Numbering numbering;
 };
 
-/// Kinds of a tetrahedron by its sorted vertices: of the facets opposite to them, of the edges between them.
-using Kinds = std::map<TetName, std::pair<std::array<FacetKind, 4>, std::array<EdgeKind, 6>>>;
-
-Kinds kinds_of(const CellComplex& complex) {
-  Kinds kinds;
-  for (std::uint32_t t = 0; t < complex.mesh.size(); ++t) {
-    const auto& v = complex.mesh.vertices[t];
-    TetName name = v;
-    std::sort(name.begin(), name.end());
-    std::array<std::size_t, 4> slot{};
-    for (std::size_t i = 0; i < 4; ++i)
-      slot[i] = static_cast<std::size_t>(std::find(v.begin(), v.end(), name[i]) - v.begin());
-    auto& [facets, edges] = kinds[name];
-    for (std::size_t i = 0; i < 4; ++i) facets[i] = complex.facets[t][slot[i]];
-    for (std::size_t e = 0; e < 6; ++e)
-      for (std::size_t k = 0; k < 6; ++k) {
-        const std::size_t a = slot[kEdgeSlots[e][0]], b = slot[kEdgeSlots[e][1]];
-        if (std::min(a, b) == kEdgeSlots[k][0] && std::max(a, b) == kEdgeSlots[k][1])
-          edges[e] = complex.edges[t][k];
-      }
-  }
-  return kinds;
-}
-
 /// The triangles under the internal facets, by vertices of the cell.
 std::map<Triangle, std::array<std::uint32_t, 2>> ground_of(const BuiltCell& cell) {
   std::map<Triangle, std::array<std::uint32_t, 2>> ground;
@@ -114,6 +90,25 @@ TEST_CASE("cells of a stack are those of their triangulations") {
     CHECK(kinds_of(layer->complex) == kinds_of(built->complex));
     CHECK(ground_of(*layer) == ground_of(*built));
   }
+}
+
+TEST_CASE("kinds tell cells apart, but the order of tetrahedra and of their vertices does not") {
+  CellComplex cell;
+  cell.mesh.vertices = {{0, 1, 2, 3}, {4, 3, 2, 1}};
+  cell.facets = {{FacetKind::internal, FacetKind::free, FacetKind::free, FacetKind::free}, {}};
+  cell.edges.resize(2);
+  cell.edges[1][4] = EdgeKind::contour;  // between 3 and 1
+  CellComplex same;
+  same.mesh.vertices = {{3, 1, 4, 2}, {2, 0, 3, 1}};
+  same.facets = {{}, {FacetKind::free, FacetKind::internal, FacetKind::free, FacetKind::free}};
+  same.edges.resize(2);
+  same.edges[0][0] = EdgeKind::contour;
+  CHECK(kinds_of(cell) == kinds_of(same));
+  same.edges[0][0] = EdgeKind::external;
+  CHECK(kinds_of(cell) != kinds_of(same));
+  same.edges[0][0] = EdgeKind::contour;
+  same.facets[1][1] = FacetKind::external;
+  CHECK(kinds_of(cell) != kinds_of(same));
 }
 
 TEST_CASE("layer cells: only two faces, without a common vertex, that span areas") {

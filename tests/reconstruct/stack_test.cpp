@@ -4,10 +4,14 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 #include <map>
 #include <numeric>
 #include <random>
+#include <set>
 
+#include "../../geom/frame.h"
 #include "../../inspect/check.h"
 #include "../../inspect/slice.h"
 #include "../../inspect/solids.h"
@@ -202,6 +206,26 @@ TEST_CASE("The order of the planes in the file, their normals and the threads do
   CHECK(one.surface.triangles == two.surface.triangles);
 }
 
+TEST_CASE("Normals may have different lengths and signs, however slanted the planes are") {
+  std::mt19937 random(3);
+  for (int found = 0; found < 2;) {
+    const auto coordinate = [&] { return 0.1 + random() * 0x1p-33; };
+    const Vec3 direction{coordinate(), -coordinate(), coordinate()};
+    Sections sections = stack_of(torus(1, 0.4, 24, 16), 30, direction);
+    static constexpr double kFactors[] = {3, 1, -3, 0.7, -1.1, 5, -7, 0.3};
+    std::set<LatticeVector> different;
+    for (std::size_t p = 0; p < sections.planes.size(); ++p) {
+      const double factor = kFactors[p % std::size(kFactors)];
+      sections.planes[p].normal = factor * sections.planes[p].normal;
+      sections.planes[p].offset *= factor;
+      different.insert(quantise_direction(sections.planes[p].normal));
+    }
+    if (different.size() == 1) continue;  // as of most directions
+    ++found;
+    check_streamed(sections);
+  }
+}
+
 TEST_CASE("One window is enough for a small stack, and windows hold what they are asked to") {
   const Sections sections = stack_of(trefoil_solid(40), 60);
   std::uint64_t vertices = 0;
@@ -228,7 +252,29 @@ TEST_CASE("Empty planes part the solid wherever windows end") {
   for (PlaneSection& plane : sections.planes) plane.vertices.clear(), plane.edges.clear();
   const Streamed nothing = streamed(sections);
   CHECK(nothing.surface.triangles.empty());
-  CHECK(nothing.report.warnings.size() == 1);
+  CHECK(nothing.report.warnings == reconstruct(sections)->report.warnings);
+}
+
+TEST_CASE("Why nothing came out is told as at once") {
+  Sections sections;
+  for (std::uint32_t p = 0; p < 24; ++p) {
+    PlaneSection& plane = sections.planes.emplace_back();
+    const double z = p;
+    plane.normal = {0, 0, 1};
+    plane.offset = -z;
+    plane.vertices = {{0, 0, z}, {1, 0, z}, {0.5, 0, z}};
+    for (std::uint32_t i = 0; i < 3; ++i) plane.edges.push_back({i, (i + 1) % 3, 1, 0, 0, 0});
+  }
+  const auto agree = [&](std::size_t warnings) {
+    const auto whole = reconstruct(sections);
+    REQUIRE(whole.ok());
+    CHECK(whole->surface.triangles.empty());
+    CHECK(whole->report.warnings.size() == warnings);
+    CHECK(streamed(sections, {}, 1, 1, 6).report.warnings == whole->report.warnings);
+  };
+  agree(26);  // of each contour, that there is none, and that there is no surface
+  sections.planes[12].vertices[2].y = 1;
+  agree(24);
 }
 
 TEST_CASE("Planes that are one, or almost one, are so in windows too") {
@@ -308,11 +354,69 @@ TEST_CASE("Random stacks") {
     options.branching.mode = seed % 5 == 0 ? Branching::all : Branching::automatic;
     const Streamed parts = streamed(sections, options);
     CHECK(verify_surface(static_cast<std::uint32_t>(parts.surface.points.size()), parts.surface.triangles));
-    // Without the second look, which sees no more than a window.
-    options.natural.alone_confidence = 1;
+    // But for cavities, of which the second look sees no more than a window has.
     options.natural.cavity_confidence = -1;
     check_streamed(sections, options);
   }
+}
+
+TEST_CASE("Bodies that one plane alone has met are joined alike, whichever is the largest of a window") {
+  for (std::uint32_t seed = 1; seed <= 20; ++seed) {
+    CAPTURE(seed);
+    std::mt19937 random(seed);
+    const auto below = [&](std::uint32_t n) { return static_cast<double>(random() % n); };
+    Sections sections;
+    double z = 0;
+    for (int p = 0; p < 26; ++p) {
+      PlaneSection& plane = sections.planes.emplace_back();
+      z += 0.5 + 0.0625 * below(16);
+      plane.normal = {0, 0, 1};
+      plane.offset = -z;
+      const double x = 2 * (p % 2), size = 1 + 0.0625 * below(5);
+      plane.vertices = {{x, 0, z}, {x + size, 0, z}, {x + size, 1, z}, {x, 1, z}};
+      for (std::uint32_t i = 0; i < 4; ++i) plane.edges.push_back({i, (i + 1) % 4, 1, 0, 0, 0});
+    }
+    check_streamed(sections);
+  }
+}
+
+TEST_CASE("What still touches after --separate is counted once, wherever windows end") {
+  std::uint64_t contacts = 0;
+  for (std::uint32_t seed = 1; seed <= 12; ++seed) {
+    CAPTURE(seed);
+    const Sections sections = random_stack(seed, 26);
+    Options options;
+    options.separation = 1e-6;
+    options.natural.cavity_confidence = -1;
+    const auto whole = reconstruct(sections, options);
+    REQUIRE(whole.ok());
+    const Streamed parts = check_streamed(sections, options);
+    contacts += whole->report.contacts;
+    const std::string told = std::to_string(whole->report.contacts) + " pairs of triangles touch";
+    const auto& warnings = parts.report.warnings;
+    CHECK(std::count(warnings.begin(), warnings.end(), told) == (whole->report.contacts != 0 ? 1 : 0));
+  }
+  MESSAGE(contacts << " contacts");
+  CHECK(contacts > 0);
+}
+
+TEST_CASE("The report has the cells from the lowest to the highest") {
+  Sections sections;
+  const Vec3 a = {0.6, 0.8, 0}, b = {-0.64, 0.48, -0.6}, n = {0.48, -0.36, -0.8};
+  for (std::uint32_t p = 0; p < 24; ++p) {
+    PlaneSection& plane = sections.planes.emplace_back();
+    plane.normal = n;
+    plane.offset = -0.25 * p;
+    const std::uint32_t corners = p + 3;
+    for (std::uint32_t i = 0; i < corners; ++i) {
+      const double turn = 6.283185307179586 * i / corners;
+      plane.vertices.push_back(std::cos(turn) * a + std::sin(turn) * b + 0.25 * p * n);
+      plane.edges.push_back({i, (i + 1) % corners, 1, 0, 0, 0});
+    }
+  }
+  const Streamed parts = check_streamed(sections);
+  REQUIRE(parts.report.cells.size() == 23);
+  for (std::uint32_t c = 0; c < 23; ++c) CHECK(parts.report.cells[c].vertices == (c + 3) + (c + 4));
 }
 
 TEST_CASE("Requests of the user act in the windows that have both planes") {
