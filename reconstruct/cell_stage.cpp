@@ -339,13 +339,15 @@ Result<CellBranching> Pipeline::branch(CellId id, CellState& state) {
 }
 
 /// A face of it got samples. Points that it took inside before had numbers that samples have now, and others
-/// may be wanted.
+/// may be wanted. What has been made of them goes too: renumber() would not know them any more.
 void CellState::begin_anew() {
   due = true;
   waiting.reset();
   if (inside.empty()) return;
   inside.clear(), interior.clear();
   triangulation.reset();
+  tets.clear(), partners.clear(), feet.clear(), ground.clear();
+  bridges = {}, built = {}, pruned = {};
 }
 
 Result<Done> Pipeline::add_samples() {

@@ -48,19 +48,12 @@ class SweptSides {
       : swept_(swept), points_(points), row_of_(row_of) {}
   SweptSides(const SweptSides&) = delete;
   SweptSides& operator=(const SweptSides&) = delete;
-  ~SweptSides() {
-    for (const std::uint32_t v : vertices_) row_of_[v] = kNone;
-  }
+  ~SweptSides() { forget(); }
 
-  /// Where v's answers are.
-  std::uint32_t row(std::uint32_t v) {
-    if (row_of_[v] == kNone) {
-      row_of_[v] = static_cast<std::uint32_t>(vertices_.size());
-      vertices_.push_back(v);
-      sides_.resize(sides_.size() + swept_.size(), kUnknown);
-      held_.resize(held_.size() + swept_.size(), kUnknown);
-    }
-    return row_of_[v];
+  /// Where the answers of the three vertices are, until others are asked for.
+  std::array<std::uint32_t, 3> rows(const std::array<std::uint32_t, 3>& v) {
+    if (sides_.size() + 3 * swept_.size() > kMostAnswers) forget();
+    return {row(v[0]), row(v[1]), row(v[2])};
   }
   /// Of the plane of triangle i as moved.
   int side(std::uint32_t row, std::uint32_t i) {
@@ -77,6 +70,22 @@ class SweptSides {
 
  private:
   static constexpr std::int8_t kUnknown = 2;
+  /// Two hubs of n triangles at one place have n^2: then some are asked again.
+  static constexpr std::size_t kMostAnswers = std::size_t{1} << 20;
+
+  void forget() {
+    for (const std::uint32_t v : vertices_) row_of_[v] = kNone;
+    vertices_.clear(), sides_.clear(), held_.clear();
+  }
+  std::uint32_t row(std::uint32_t v) {
+    if (row_of_[v] == kNone) {
+      row_of_[v] = static_cast<std::uint32_t>(vertices_.size());
+      vertices_.push_back(v);
+      sides_.resize(sides_.size() + swept_.size(), kUnknown);
+      held_.resize(held_.size() + swept_.size(), kUnknown);
+    }
+    return row_of_[v];
+  }
   const Vec3& place(std::uint32_t row) const { return points_[vertices_[row]]; }
 
   const std::vector<Swept>& swept_;
@@ -368,8 +377,7 @@ class Separator {
       if (overlap(box, {to, to}) && contains(other, to)) return true;
       of_places.start(other);
       if (of_places.is_beside()) return false;  // as most are, around a vertex of many triangles
-      const Triple& v = surface_.triangles[t];
-      const Triple row{sides.row(v[0]), sides.row(v[1]), sides.row(v[2])};
+      const Triple row = sides.rows(surface_.triangles[t]);
       bool hit = false;
       tree.for_overlaps(box, [&](std::uint32_t i) {
         if (hit) return;

@@ -6,6 +6,7 @@
 #include "../../inspect/check.h"
 #include "../../inspect/slice.h"
 #include "../../inspect/solids.h"
+#include "../../reconstruct/pipeline.h"
 #include "scenes.h"
 
 using namespace crossloft;
@@ -120,6 +121,23 @@ TEST_CASE("in a stack whose cells have points inside, samples over holes come fi
   CHECK(report.good_topology());
   CHECK(report.crossings == 0);
   CHECK(report.genus == 0);
+}
+
+TEST_CASE("a cell that begins anew keeps nothing made of points inside, whose numbers are no one's then") {
+  CellState cell;
+  cell.inside.push_back({LatticePoint{}, 0});
+  cell.interior = {4};
+  cell.tets = {{0, 1, 2, 4}};
+  cell.built.vertices = {0, 1, 2, 4};
+  cell.bridges.bridges.push_back({{2, 4}, {}, {{0, 1, 2, 4}}, {}});
+  cell.begin_anew();
+  CHECK(cell.due);
+  CHECK(cell.interior.empty());
+  REQUIRE(cell.tets.empty());
+  REQUIRE(cell.built.vertices.empty());
+  REQUIRE(cell.bridges.bridges.empty());
+  const std::vector<std::uint32_t> number{0, 2, 3, 5};
+  cell.renumber(number);
 }
 
 TEST_CASE("points inside cells change no section") {

@@ -3,6 +3,9 @@
 #include "../../reconstruct/separate.h"
 
 #include <atomic>
+#include <cmath>
+#include <cstdlib>
+#include <new>
 #include <numeric>
 #include <random>
 
@@ -14,6 +17,24 @@
 
 using namespace crossloft;
 using namespace crossloft::test;
+
+namespace {
+
+std::atomic<std::size_t> largest_allocation{0};
+
+}  // namespace
+
+// Not inlined: GCC warns of free() for what it takes for the library's memory.
+[[gnu::noinline]] void* operator new(std::size_t bytes) {
+  std::size_t largest = largest_allocation.load();
+  while (largest < bytes && !largest_allocation.compare_exchange_weak(largest, bytes)) {
+  }
+  void* const memory = std::malloc(bytes != 0 ? bytes : 1);
+  if (memory == nullptr) std::abort();
+  return memory;
+}
+[[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
+[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 
 namespace {
 
@@ -223,6 +244,32 @@ TEST_CASE("what is in the way shortens the step, or undoes it") {
     CHECK(s.separated == (gap < 1e-3 ? 1 : 2));
     CHECK(s.touching == 0);  // one of two is enough
   }
+}
+
+// The planes of the wider cone's sides have the narrow one on both sides.
+TEST_CASE("two hubs of n triangles at one place take no memory of n^2") {
+  constexpr std::uint32_t kSides = 1300;
+  Surface mesh;
+  for (const double z : {1.0, -1.0}) {
+    const auto tip = static_cast<std::uint32_t>(mesh.points.size()), rim = tip + 2;
+    const double radius = z > 0 ? 0.3 : 1, turn = z > 0 ? 0 : 0.3;
+    mesh.points.insert(mesh.points.end(), {{0, 0, 0}, {0, 0, 2 * z}});
+    for (std::uint32_t i = 0; i < kSides; ++i) {
+      const double angle = 6.283185307179586 * (i + turn) / kSides;
+      mesh.points.push_back({radius * std::cos(angle), radius * std::sin(angle), z});
+      std::array<std::uint32_t, 2> side{rim + i, rim + (i + 1) % kSides};
+      if (z < 0) std::swap(side[0], side[1]);
+      mesh.triangles.push_back({tip, side[1], side[0]});
+      mesh.triangles.push_back({tip + 1, side[0], side[1]});
+    }
+  }
+  Cut cut = with_origins(mesh);
+  largest_allocation = 0;
+  const Separation s = separate_copies(cut.surface, cut.origins, Anywhere{});
+  CHECK(s.separated == 2);
+  CHECK(s.touching == 0);
+  CHECK(largest_allocation < std::size_t{kSides} * kSides);
+  CHECK(check_surface(cut.surface).crossings == 0);
 }
 
 TEST_CASE("a confinement is asked, and obeyed to the bit") {
