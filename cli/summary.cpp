@@ -13,7 +13,8 @@ void print_topology(Terminal& terminal, const TopologyReport& t) {
     terminal.print("second look  %u small bodies joined, %u walls of cavities opened\n", t.bodies_joined,
                    t.walls_opened);
   if (t.bridges != 0 || t.open_edges != 0)
-    terminal.print("bridges      at %u edges within sections, %u left pinched\n", t.bridges, t.open_edges);
+    terminal.print("bridges      at %u edges within sections, with %u handles; %u left pinched\n", t.bridges,
+                   t.bridge_handles, t.open_edges);
   if (t.refused_joins != 0) terminal.print("not joined   %u, for lack of confidence\n", t.refused_joins);
 }
 

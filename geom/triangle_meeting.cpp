@@ -228,17 +228,6 @@ Piercing piercing(const Vec3& p, const Vec3& q, const Corners& t) {
   return product < 0 && low == high ? Piercing::pierces : Piercing::touches;
 }
 
-bool beside(const Corners& t, std::span<const Vec3> points) {
-  int sign = 0;
-  for (const Vec3& p : points) {
-    if (p == t[0] || p == t[1] || p == t[2]) continue;
-    const int s = side(t, p);
-    if (s == 0 || s * sign < 0) return false;
-    sign = s;
-  }
-  return sign != 0;
-}
-
 bool contains(const Corners& t, const Vec3& p) {
   if (p == t[0] || p == t[1] || p == t[2]) return true;
   PlaneView view;

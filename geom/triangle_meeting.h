@@ -2,6 +2,7 @@
 /// How two triangles meet, decided exactly on their double coordinates.
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
@@ -42,7 +43,19 @@ Piercing piercing(const Vec3& p, const Vec3& q, const Corners& triangle);
 bool touch(const Corners& a, const Corners& b, int shared);
 /// All points but those that are corners of the triangle are strictly on one side of its plane, and there are
 /// some. The triangle then has nothing in common with their convex hull but corners, and edges between these.
-bool beside(const Corners& triangle, std::span<const Vec3> points);
+/// side(i) is side_of(triangle, points[i]), for who keeps what has been asked.
+template <class Side>
+bool beside(const Corners& triangle, std::span<const Vec3> points, Side&& side) {
+  int sign = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Vec3& p = points[i];
+    if (p == triangle[0] || p == triangle[1] || p == triangle[2]) continue;
+    const int s = side(i);
+    if (s == 0 || s * sign < 0) return false;
+    sign = s;
+  }
+  return sign != 0;
+}
 /// All corners exactly on one line.
 bool collinear(const Corners& triangle);
 /// p is on the closed triangle. A degenerate one contains its corners only.

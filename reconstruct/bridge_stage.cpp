@@ -170,6 +170,8 @@ struct OpenEdge {
   bool helped = false;
 };
 
+namespace {
+
 /// Those that are to be looked at, again if there is something new at one of their ends.
 class DueEdges {
  public:
@@ -201,6 +203,8 @@ class DueEdges {
   std::set<std::size_t> due_;
   std::vector<std::pair<std::uint32_t, std::size_t>> at_;  ///< by end of an edge
 };
+
+}  // namespace
 
 /// If it connects what is not connected yet, and fits to the others of its cell.
 bool Pipeline::build_bridge(std::uint32_t cell, std::uint32_t number, bool may_make_handles, EdgeRing& ring,

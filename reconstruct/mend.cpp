@@ -51,11 +51,8 @@ class Mender {
         bad = find_bad();
       }
     result_.left = bad.size();
-    if (!bad.empty() && !context_.cancelled()) {
-      const Merging merging = merge_crossing_places(surface_, std::move(bad), exact_, context_);
-      result_.merged = merging.merged;
-      result_.merged_exact = merging.exact;
-    }
+    if (!bad.empty() && !context_.cancelled())
+      result_.merged = merge_crossing_places(surface_, std::move(bad), exact_, context_).merged;
     for (std::size_t v = 0; v < points_.size(); ++v) {
       if (points_[v] == written[v]) continue;
       ++result_.moved;

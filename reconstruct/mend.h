@@ -19,9 +19,8 @@ struct Mending {
   std::uint64_t found = 0;  ///< pairs of triangles that crossed or overlapped, as inspect/check.h counts them
   std::uint64_t left = 0;   ///< those that no move to a place nearby could mend; unless cancelled, merged
   std::uint32_t moved = 0;  ///< vertices
-  std::uint32_t merged = 0;        ///< vertices at places of others, which leaves triangles without area
-  std::uint32_t merged_exact = 0;  ///< of these, exact ones (Rounding)
-  double largest = 0;              ///< longest move
+  std::uint32_t merged = 0;  ///< vertices at places of others, which leaves triangles without area
+  double largest = 0;        ///< longest move
 };
 
 /// By vertex of the surface. Where the grid is finer than doubles any point may be moved to a place nearby,

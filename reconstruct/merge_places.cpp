@@ -67,14 +67,10 @@ class Merger {
 
   Merging run(std::vector<Pair> bad) {
     const std::vector<Vec3> before = points_;
-    result_.pairs = bad.size();
     for (; !bad.empty() && !context_.cancelled(); renew(bad)) merge_round(bad);
-    for (std::size_t v = 0; v < points_.size(); ++v) {
-      if (points_[v] == before[v]) continue;
-      ++result_.merged;
-      if (is_exact(v)) ++result_.exact;
-    }
-    return result_;
+    Merging result;
+    for (std::size_t v = 0; v < points_.size(); ++v) result.merged += points_[v] != before[v] ? 1U : 0U;
+    return result;
   }
 
  private:
@@ -295,20 +291,9 @@ class Merger {
   std::vector<std::uint8_t> is_idle_;    ///< by triangle, before this round
   mutable std::uint64_t asked_ = 0;      ///< pairs to choose
   std::uint64_t renewed_ = 0;            ///< pairs after rounds
-  Merging result_;
 };
 
 }  // namespace
-
-std::vector<std::array<std::uint32_t, 2>> find_crossings(const Surface& surface) {
-  std::vector<Pair> found;
-  BoxTree(boxes_of(surface)).for_pairs([&](std::uint32_t s, std::uint32_t t) {
-    if (meeting(corners_of(surface, s), corners_of(surface, t)) != Meeting::none)
-      found.push_back({std::min(s, t), std::max(s, t)});
-  });
-  std::sort(found.begin(), found.end());
-  return found;
-}
 
 Merging merge_crossing_places(Surface& surface, std::vector<std::array<std::uint32_t, 2>> crossing,
                               std::span<const std::uint8_t> exact, const Context& context,

@@ -19,19 +19,14 @@ struct MergingEffort {
 };
 
 struct Merging {
-  std::uint64_t pairs = 0;   ///< that crossed or overlapped
   std::uint32_t merged = 0;  ///< vertices that took another one's place
-  std::uint32_t exact = 0;   ///< of these, exact ones
 };
 
-/// Pairs of triangles that cross or overlap, as inspect/check.h counts them, ascending. Expected O(n log n)
-/// and what meets by its boxes.
-std::vector<std::array<std::uint32_t, 2>> find_crossings(const Surface& surface);
-
-/// For each pair of triangles that cross or overlap, of which `crossing` has all, one of their corners and
-/// all vertices at its place take the place of another of the six: a near one after which fewer pairs cross,
-/// or few more; and again until no pair is left. Places with a vertex that is `exact` (by vertex, none if
-/// empty) stay if another one of the six can go. In tangles where too much would have to be asked for that
+/// For each pair of triangles that cross or overlap, of which `crossing` has all, ascending, one of their
+/// corners and all vertices at its place take the place of another of the six: a near one after which fewer
+/// pairs cross, or few more; and again until no pair is left. Places with a vertex that is `exact` (by
+/// vertex, none if empty) stay if another one of the six can go. In tangles where too much would have to be
+/// asked for that
 /// (`effort`), a near one around which there are few triangles; in the worst all six come to one place.
 /// Triangles stay as they are by index, so that a manifold stays one; some have no area any more.
 ///

@@ -109,20 +109,12 @@ class SidesOfPlaces {
     if (known == kUnknown) known = static_cast<std::int8_t>(side_of(triangle_, places_[place]));
     return known;
   }
-  /// As beside() of all places (triangle_meeting.h).
   bool is_beside() {
-    int sign = 0;
-    for (std::size_t i = 0; i < places_.size(); ++i) {
-      const int s = of(i);
-      if (s * sign < 0 || (s == 0 && !is_corner(places_[i]))) return false;
-      if (s != 0) sign = s;
-    }
-    return sign != 0;
+    return beside(triangle_, places_, [&](std::size_t place) { return of(place); });
   }
 
  private:
   static constexpr std::int8_t kUnknown = 2;
-  bool is_corner(const Vec3& p) const { return p == triangle_[0] || p == triangle_[1] || p == triangle_[2]; }
 
   const std::vector<Vec3>& places_;
   std::vector<std::int8_t> sides_;

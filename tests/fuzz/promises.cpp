@@ -134,12 +134,12 @@ std::string twice_complaint(const SectionSet& set, const Reconstruction& r) {
 }
 
 /// How far the report's volume may be from that of the tetrahedra, which is what plates change. It is that of
-/// the surface before anything is mended, whose vertices are within e = last_places(r) of theirs. To move one vertex of a
-/// closed surface changes the volume by a third of the move times the area around it at most (that of its star
-/// seen along the move, whose rim stays), so all of them, one after the other, by e A, A the largest area on the
-/// way. On the way all vertices are within m = rounding(r) of where they are written, and a triangle's area
-/// is within m/2 of its perimeter P, and m of that growing by m and 2 m: its own + m P / 2 + 3 m m / 2.
-/// Summing up adds less than kVolumeTolerance, since it is done relative to a corner.
+/// the surface before anything is mended, whose vertices are within e = last_places(r) of theirs. To move one
+/// vertex of a closed surface changes the volume by a third of the move times the area around it at most
+/// (that of its star seen along the move, whose rim stays), so all of them, one after the other, by e A, A
+/// the largest area on the way. On the way all vertices are within m = rounding(r) of where they are written,
+/// and a triangle's area is within m/2 of its perimeter P, and m of that growing by m and 2 m: its own + m P
+/// / 2 + 3 m m / 2. Summing up adds less than kVolumeTolerance, since it is done relative to a corner.
 double volume_rounding(const Reconstruction& r) {
   const double m = rounding(r);
   double area = 0;

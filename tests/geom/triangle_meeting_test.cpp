@@ -55,12 +55,15 @@ TEST_CASE("a triangle that leans on the other's plane with a corner or side does
 
 TEST_CASE("points beside a triangle's plane, corners of it left out") {
   const double up = std::nextafter(0.0, 1.0);
-  CHECK(beside(kBase, std::vector<Vec3>{{1, 1, up}, {9, 9, 1}}));
-  CHECK(beside(kBase, std::vector<Vec3>{kBase[0], {1, 1, -up}, kBase[2]}));
-  CHECK_FALSE(beside(kBase, std::vector<Vec3>{{1, 1, up}, {9, 9, 0}}));
-  CHECK_FALSE(beside(kBase, std::vector<Vec3>{{1, 1, up}, {9, 9, -up}}));
-  CHECK_FALSE(beside(kBase, std::vector<Vec3>{kBase[0], kBase[1]}));
-  CHECK_FALSE(beside({kBase[0], kBase[0], kBase[1]}, std::vector<Vec3>{{1, 1, 1}}));
+  const auto is_beside = [](const Corners& t, const std::vector<Vec3>& points) {
+    return beside(t, points, [&](std::size_t i) { return side_of(t, points[i]); });
+  };
+  CHECK(is_beside(kBase, {{1, 1, up}, {9, 9, 1}}));
+  CHECK(is_beside(kBase, {kBase[0], {1, 1, -up}, kBase[2]}));
+  CHECK_FALSE(is_beside(kBase, {{1, 1, up}, {9, 9, 0}}));
+  CHECK_FALSE(is_beside(kBase, {{1, 1, up}, {9, 9, -up}}));
+  CHECK_FALSE(is_beside(kBase, {kBase[0], kBase[1]}));
+  CHECK_FALSE(is_beside({kBase[0], kBase[0], kBase[1]}, {{1, 1, 1}}));
 }
 
 TEST_CASE("coplanar triangles in any plane") {

@@ -80,7 +80,7 @@ TEST_CASE("a stack through a hollow ball: the cavity is closed at both ends") {
 TEST_CASE(
     "a few slices through thin walls: no handles where wedges of the solid reach edges within sections") {
   const Surface mesh = nested_shells(32);
-  for (const std::uint32_t count : {16U, 18U}) {
+  for (const std::uint32_t count : {14U, 16U}) {  // genus 24 and 8 with bridges over one gap only
     CAPTURE(count);
     const auto planes = parallel_planes(bounds_of(mesh.points), count, {0.3, 0.5, 1});
     const Reconstruction r = cut_and_rebuild(mesh, planes);
