@@ -17,6 +17,7 @@ namespace {
 
 /// Of moves that the user has asked for.
 constexpr int kHalvings = 8, kRounds = 8;
+constexpr std::uint32_t kMostAround = 1U << 14;
 
 /// Sections may change.
 struct Anywhere : Confinement {
@@ -151,6 +152,9 @@ void Pipeline::separate(const GluedSurface& glued) {
     report.separated_copies += separation.separated;
     report.touching_copies = separation.touching;
     report.separation = std::max(report.separation, separation.largest);
+    if (separation.crowded != 0)
+      warn(std::to_string(separation.crowded) +
+           " copies of vertices were not tried to be moved apart: too many triangles are around them");
   };
   SeparationEffort effort;
   if (options_.separation > 0) effort.longest = options_.separation * framed_.diagonal;
@@ -159,7 +163,7 @@ void Pipeline::separate(const GluedSurface& glued) {
                          SectionConfinement(graph_, faces_, numbering_, framed_.grid, glued), effort,
                          context_));
   if (options_.separation == 0) return;
-  effort.halvings = kHalvings, effort.rounds = kRounds;
+  effort.halvings = kHalvings, effort.rounds = kRounds, effort.most_around = kMostAround;
   take(separate_copies(result_.surface, glued.vertices, Anywhere{}, effort, context_));
   if (context_.cancelled()) return;
   const auto contacts = find_contacts(result_.surface);

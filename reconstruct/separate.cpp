@@ -220,8 +220,16 @@ class Separator {
     }
     const BoxTree tree(boxes);
     neighbours_.resize(copies_.size());
+    std::vector<bool> is_crowded(copies_.size(), false);
     for (std::uint32_t t = 0; t < surface_.triangles.size() && !tree.empty(); ++t)
-      tree.for_overlaps(room_of_triangle(t), [&](std::uint32_t i) { neighbours_[moving[i]].push_back(t); });
+      tree.for_overlaps(room_of_triangle(t), [&](std::uint32_t i) {
+        if (is_crowded[moving[i]]) return;
+        auto& around = neighbours_[moving[i]];
+        around.push_back(t);
+        if (around.size() > effort_.most_around) is_crowded[moving[i]] = true, around = {};
+      });
+    for (const std::uint32_t k : moving)
+      if (is_crowded[k]) reach_[k] = 0, ++result_.crowded;
   }
 
   /// Normals of the umbrella's triangles, of length 1 and towards the side on which `inside` mostly lies.

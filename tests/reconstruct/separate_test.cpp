@@ -272,6 +272,26 @@ TEST_CASE("two hubs of n triangles at one place take no memory of n^2") {
   CHECK(check_surface(cut.surface).crossings == 0);
 }
 
+TEST_CASE("copies with too much around them stay, and are counted") {
+  const std::vector<Tet> far_and_near{
+      {0, 1, 2, 3}, {0, 5, 4, 6}, {7, 8, 9, 10}, {7, 12, 11, 13}, {7, 14, 15, 16}};
+  std::vector<Vec3> points = kCubeCorners;
+  for (const Vec3& p : kCubeCorners) points.push_back(p + Vec3{10, 0, 0});
+  for (const Vec3& p : {Vec3{1, -1, 1}, Vec3{1, -1, 2}, Vec3{2, -1, 1}}) points.push_back(p + Vec3{10, 0, 0});
+  Cut cut = cut_apart(points, far_and_near);
+  SeparationEffort effort;
+  effort.most_around = 8;  // the first two have each other's four triangles around them, the others twelve
+  const std::vector<Vec3> before = cut.surface.points;
+  const Separation s = separate_copies(cut.surface, cut.origins, Anywhere{}, effort);
+  CHECK(s.separated == 2);
+  CHECK(s.crowded == 3);
+  CHECK(s.touching == 2);
+  for (std::size_t v = 0; v < before.size(); ++v)
+    if (before[v].x >= 9) CHECK(before[v] == cut.surface.points[v]);
+  effort.most_around = 12;
+  CHECK(separate_copies(cut.surface, cut.origins, Anywhere{}, effort).crowded == 0);
+}
+
 TEST_CASE("a confinement is asked, and obeyed to the bit") {
   struct Half : Confinement {
     bool may_move(const Umbrella& u) const override { return u.triangles.size() == 3; }
