@@ -117,7 +117,7 @@ void Pipeline::finish_faces() {
     for (const FaceTriangulation& face : faces_)
       if (face.face.valid()) observer_->on_face(face, numbering_);
   drop_what_cells_need();
-  result_.sections = assemble_sections(framed_, graph_, faces_, numbering_);
+  result_.sections = assemble_sections(framed_, graph_, faces_, numbering_, context_);
   result_.report.seconds.faces += watch_.lap();
 }
 

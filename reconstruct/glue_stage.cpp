@@ -88,14 +88,16 @@ Result<Done> Pipeline::glue_cells() {
   sort_tets(tets_, numbering_.points.size(), context_);
   if (context_.cancelled()) return cancelled();
   if (observer_) observer_->on_solid(tets_, numbering_);
-  result_.solid = assemble_solid(std::move(tets_), numbering_, framed_.grid);
+  result_.solid = assemble_solid(std::move(tets_), numbering_, framed_.grid, context_);
+  if (context_.cancelled()) return cancelled();
   const GluedSurface* const glued = glued_.get();
   const auto good = self_check("gluing", [&] {
     const auto count = static_cast<std::uint32_t>(glued->vertices.size());
     return verify_surface(count, glued->triangles) ? "" : "the surface is not a manifold";
   });
   if (!good) return good.error();
-  result_.surface = assemble_surface(*glued, numbering_, framed_.grid);
+  result_.surface = assemble_surface(*glued, numbering_, framed_.grid, context_);
+  if (context_.cancelled()) return cancelled();
   Report& report = result_.report;
   // Where all of the solid is thinner than doubles tell it may come out negative.
   report.volume = std::max(0.0, enclosed_volume(result_.surface));
@@ -109,6 +111,7 @@ Result<Done> Pipeline::glue_cells() {
   report.surface_triangles = static_cast<std::uint32_t>(result_.surface.triangles.size());
   report.surface_vertices = static_cast<std::uint32_t>(result_.surface.points.size());
   report_planes();
+  if (context_.cancelled()) return cancelled();
   report.seconds.gluing = watch_.lap();
   separate(*glued);
   if (context_.cancelled()) return cancelled();
@@ -119,13 +122,17 @@ Result<Done> Pipeline::glue_cells() {
 /// Rounded may be points of lines, midpoints, and all where the grid is finer than doubles; exact are those
 /// points of planes whose doubles are their very places.
 Rounding Pipeline::rounding(const GluedSurface& glued) const {
-  Rounding rounding;
   const bool all = framed_.grid.exact();
-  for (const SurfaceVertex& v : glued.vertices) {
-    const bool is_explicit = !v.is_midpoint() && numbering_.points[v.a].is_explicit();
-    rounding.rounded.push_back(is_explicit && all ? 0 : 1);
-    rounding.exact.push_back(is_explicit && framed_.grid.exact_at(numbering_.points[v.a]) ? 1 : 0);
-  }
+  const std::size_t count = glued.vertices.size();
+  Rounding rounding{std::vector<std::uint8_t>(count), std::vector<std::uint8_t>(count)};
+  for_blocks(count, context_, "gluing", [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      const SurfaceVertex& v = glued.vertices[i];
+      const bool is_explicit = !v.is_midpoint() && numbering_.points[v.a].is_explicit();
+      rounding.rounded[i] = is_explicit && all ? 0 : 1;
+      rounding.exact[i] = is_explicit && framed_.grid.exact_at(numbering_.points[v.a]) ? 1 : 0;
+    }
+  });
   return rounding;
 }
 
@@ -176,9 +183,9 @@ void Pipeline::separate(const GluedSurface& glued) {
 void Pipeline::report_planes() {
   Report& report = result_.report;
   const std::size_t planes = graph_.planes.size();
-  const auto areas = measure_flats(faces_, numbering_, framed_.grid, planes);
-  const auto flat = count_regions(faces_, numbering_, planes,
-                                  [&](std::size_t f, std::size_t t) { return faces_[f].is_flat(t); });
+  const auto areas = measure_flats(faces_, numbering_, framed_.grid, planes, context_);
+  const auto is_flat = [&](std::size_t f, std::size_t t) { return faces_[f].is_flat(t); };
+  const auto flat = count_regions(faces_, numbering_, planes, is_flat, context_);
   for (std::size_t p = 0; p < planes; ++p) {
     const FramedPlane& plane = framed_.planes[p];
     PlaneReport out;
