@@ -72,7 +72,8 @@ struct PairedBoundary {
 /// Both halves of glue(): between them the tetrahedra may go, which are most of the memory.
 Result<PairedBoundary> pair_boundary(std::span<const std::array<std::uint32_t, 4>> tets, KnownFacets known,
                                      const Context& context = {});
-GluedSurface cut_apart(const PairedBoundary& boundary, bool with_tets = false);
+Result<GluedSurface> cut_apart(const PairedBoundary& boundary, const Context& context = {},
+                               bool with_tets = false);
 
 /// True iff the triangles form a closed oriented 2-manifold on exactly the vertices 0..vertex_count-1: three
 /// different vertices each, every directed edge once and its reverse once, one cycle of triangles around each

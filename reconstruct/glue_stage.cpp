@@ -26,45 +26,66 @@ struct Anywhere : Confinement {
 
 }  // namespace
 
-/// Two cells meet in the triangles of their common face, each of which has a facet on either side. Cells keep
-/// what they know of their facets, and where their tetrahedra are: they may have to have them back.
-SolidInCells Pipeline::take_solid() {
+/// Places of all tetrahedra: of each cell, then of its bridges, which are loose.
+SolidInCells Pipeline::make_room() {
   SolidInCells solid;
-  std::size_t count = 0, triangles = 0;
-  for (const CellState& cell : cells_) count += cell.tets.size() + cell.bridge_tets.size();
-  solid.tets.reserve(count);
-  solid.known.partner.reserve(4 * count);
+  std::uint32_t next = 0;
+  for (CellState& cell : cells_) {
+    cell.first_tet = next;
+    cell.tet_count = static_cast<std::uint32_t>(cell.tets.size());
+    next += cell.tet_count;
+    for (std::size_t k = 0; k < cell.bridge_tets.size(); ++k) solid.known.loose.push_back(next++);
+  }
+  solid.tets.resize(next);
+  solid.known.partner.resize(4 * std::size_t{next});
+  return solid;
+}
+
+/// Two cells meet in the triangles of their common face, each of which has a facet on either side: the cell
+/// that comes first leaves word which one is its. Cells keep what they know of their facets, and where their
+/// tetrahedra are: they may have to have them back.
+SolidInCells Pipeline::take_solid() {
+  SolidInCells solid = make_room();
+  std::size_t triangles = 0;
   std::vector<std::size_t> begin;  // by face: number of its first triangle
   for (const FaceTriangulation& face : faces_) {
     begin.push_back(triangles);
     triangles += face.triangles.size();
   }
-  std::vector<std::uint32_t> first(triangles, kNone);  // by triangle: the facet on it that came first
-  for (std::uint32_t c = 0; c < cells_.size(); ++c) {
-    CellState& cell = cells_[c];
-    cell.first_tet = static_cast<std::uint32_t>(solid.tets.size());
-    cell.tet_count = static_cast<std::uint32_t>(cell.tets.size());
-    const std::uint32_t base = 4 * cell.first_tet;
-    solid.tets.insert(solid.tets.end(), cell.tets.begin(), cell.tets.end());
-    cell.tets = {};
-    solid.known.partner.resize(4 * solid.tets.size(), kNone);
-    std::uint32_t* partner = solid.known.partner.data() + base;
-    for (const auto& facets : cell.partners)
-      for (const std::uint32_t f : facets) *partner++ = f == kNone ? kNone : base + f;
+  std::vector<std::uint32_t> first(triangles, kNone);  // by triangle: the facet on it in the first cell
+  const auto for_feet = [&](std::uint32_t c, bool in_first, const auto& use) {
+    const CellState& cell = cells_[c];
     const std::vector<FaceId> ids = inner_faces(CellId{c});
     for (std::size_t i = 0; i < cell.feet.size(); ++i) {
-      std::uint32_t& other = first[begin[ids[cell.ground[i].face].value] + cell.ground[i].triangle];
-      const std::uint32_t here = base + cell.feet[i];
+      const FaceId face = ids[cell.ground[i].face];
+      const auto& cells = arrangement_->cells_of(face);
+      if ((std::min(cells[0].value, cells[1].value) == c) == in_first)
+        use(first[begin[face.value] + cell.ground[i].triangle], 4 * cell.first_tet + cell.feet[i]);
+    }
+  };
+  parallel_for(cells_.size(), context_, "gluing", [&](std::size_t c) {
+    cells_[c].move_to(solid);
+    for_feet(static_cast<std::uint32_t>(c), true,
+             [](std::uint32_t& other, std::uint32_t here) { other = here; });
+  });
+  parallel_for(cells_.size(), context_, "gluing", [&](std::size_t c) {
+    for_feet(static_cast<std::uint32_t>(c), false, [&](std::uint32_t other, std::uint32_t here) {
       if (other != kNone) solid.known.partner[here] = other, solid.known.partner[other] = here;
-      other = here;
-    }
-    for (const auto& tet : cell.bridge_tets) {
-      solid.known.loose.push_back(static_cast<std::uint32_t>(solid.tets.size()));
-      solid.tets.push_back(tet);
-    }
-    solid.known.partner.resize(4 * solid.tets.size(), kNone);
-  }
+    });
+  });
   return solid;
+}
+
+/// With its bridges. Facets on faces are left to the solid.
+void CellState::move_to(SolidInCells& solid) {
+  const auto to = std::copy(tets.begin(), tets.end(), solid.tets.begin() + first_tet);
+  std::copy(bridge_tets.begin(), bridge_tets.end(), to);
+  tets = {};
+  const std::uint32_t base = 4 * first_tet;
+  std::uint32_t* partner = solid.known.partner.data() + base;
+  for (const auto& facets : partners)
+    for (const std::uint32_t f : facets) *partner++ = f == kNone ? kNone : base + f;
+  std::fill_n(partner, 4 * bridge_tets.size(), kNone);
 }
 
 /// Cells that have been pruned again have theirs already.

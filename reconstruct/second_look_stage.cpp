@@ -390,7 +390,9 @@ Result<std::vector<Piece>> Pipeline::find_pieces() {
   if (tets_.empty()) return std::vector<Piece>{};
   const auto boundary = pair_boundary(tets_, std::move(solid.known), context_);
   if (!boundary) return boundary.error();
-  glued_ = std::make_unique<GluedSurface>(cut_apart(*boundary, window_ != nullptr));
+  auto surface = cut_apart(*boundary, context_, window_ != nullptr);
+  if (!surface) return surface.error();
+  glued_ = std::make_unique<GluedSurface>(std::move(surface).value());
   SurfacePieces found(*glued_, numbering_.points);
   if (found.count() == 1 && !may_be_alone(cells_)) return std::vector<Piece>{};
   found.measure();
