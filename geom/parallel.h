@@ -51,8 +51,8 @@ bool number_kept(std::size_t count, const Context& context, std::string_view sta
   });
 }
 
-/// parallel_for for items that may fail: work(i) returns a Result<Done>. The first error by number, or that the
-/// user cancelled.
+/// parallel_for for items that may fail: work(i) returns a Result<Done>. The first error by number, or that
+/// the user cancelled.
 template <class Work>
 Result<Done> for_all(std::size_t count, const Context& context, std::string_view stage, Work&& work) {
   std::vector<Error> errors(count);

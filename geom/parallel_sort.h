@@ -10,9 +10,9 @@
 
 namespace crossloft {
 
-/// std::sort of long lists by context.threads threads: parts are sorted, then merged two by two, each merge in
-/// pieces of its own. Of no use if the context has been cancelled. REQUIRES: no two items are equal, so that
-/// the result is the same whatever the threads; T is cheap to copy and has a default.
+/// std::sort of long lists by context.threads threads: parts are sorted, then merged two by two, each merge
+/// in pieces of its own. Of no use if the context has been cancelled. REQUIRES: no two items are equal, so
+/// that the result is the same whatever the threads; T is cheap to copy and has a default.
 template <class T, class Before>
 void sort_in_parallel(std::vector<T>& items, const Context& context, std::string_view stage,
                       const Before& before) {
@@ -31,8 +31,9 @@ void sort_in_parallel(std::vector<T>& items, const Context& context, std::string
       const T* const list = items.data();
       const std::size_t run = k / width * 2 * width;
       const T *const a = list + begin_of(run), *const b = list + begin_of(run + width),
-              *const end = list + begin_of(run + 2 * width);
-      const T *const from = list + begin_of(run + k % width), *const to = list + begin_of(run + k % width + 1);
+                     *const end = list + begin_of(run + 2 * width);
+      const T *const from = list + begin_of(run + k % width), *const to =
+                                                                  list + begin_of(run + k % width + 1);
       const T* const low = from == a ? b : std::lower_bound(b, end, *from, before);
       const T* const high = to == b ? end : std::lower_bound(b, end, *to, before);
       std::merge(from, to, low, high, merged.data() + (from - list) + (low - b), before);

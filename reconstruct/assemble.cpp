@@ -4,6 +4,7 @@
 #include <atomic>
 
 #include "../geom/parallel.h"
+#include "resize.h"
 #include "sort_quadruples.h"
 
 namespace crossloft {
@@ -50,7 +51,7 @@ Solid assemble_solid(std::vector<Tet> tets, const Numbering& numbering, const Wo
   Solid solid;
   number_kept(
       number.size(), context, "gluing", [&](std::size_t v) { return number[v] != kNone; },
-      [&](std::size_t used) { solid.points.resize(used); },
+      [&](std::size_t used) { resize(solid.points, used, context); },
       [&](std::size_t v, std::size_t n) {
         number[v] = static_cast<std::uint32_t>(n);
         solid.points[n] = grid.from_lattice(numbering.points[v]);
@@ -63,11 +64,10 @@ Solid assemble_solid(std::vector<Tet> tets, const Numbering& numbering, const Wo
   return solid;
 }
 
-Surface assemble_surface(const GluedSurface& glued, const Numbering& numbering, const WorldGrid& grid,
+Surface assemble_surface(GluedSurface& glued, const Numbering& numbering, const WorldGrid& grid,
                          const Context& context) {
   Surface surface;
-  surface.points.resize(glued.vertices.size());
-  surface.triangles.resize(glued.triangles.size());
+  resize(surface.points, glued.vertices.size(), context);
   for_blocks(surface.points.size(), context, "gluing", [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
       const SurfaceVertex& v = glued.vertices[i];
@@ -75,9 +75,10 @@ Surface assemble_surface(const GluedSurface& glued, const Numbering& numbering, 
       surface.points[i] = v.is_midpoint() ? 0.5 * (a + grid.from_lattice(numbering.points[v.b])) : a;
     }
   });
-  for_blocks(surface.triangles.size(), context, "gluing", [&](std::size_t first, std::size_t last) {
-    std::copy(glued.triangles.data() + first, glued.triangles.data() + last, surface.triangles.data() + first);
-  });
+  if (glued.copies == 0)
+    surface.triangles = std::move(glued.triangles);
+  else
+    surface.triangles = glued.triangles;
   return surface;
 }
 
@@ -145,11 +146,22 @@ Sections assemble_sections(const FramedSections& framed, const SectionGraph& gra
   return sections;
 }
 
-double enclosed_volume(const Surface& surface) {
+/// Summed one by one, so that the sum does not depend on the threads; what is summed takes the time.
+double enclosed_volume(const Surface& surface, const Context& context) {
+  const auto& [points, triangles] = surface;
+  constexpr std::size_t kAtOnce = 32 * kBlock;
+  std::vector<double> parts(std::min(triangles.size(), kAtOnce));
   double sum = 0;
-  for (const auto& t : surface.triangles) {
-    const Vec3 o = surface.points[0];
-    sum += dot(surface.points[t[0]] - o, cross(surface.points[t[1]] - o, surface.points[t[2]] - o));
+  for (std::size_t begin = 0; begin < triangles.size() && !context.cancelled(); begin += kAtOnce) {
+    const std::size_t count = std::min(kAtOnce, triangles.size() - begin);
+    for_blocks(count, context, "gluing", [&](std::size_t first, std::size_t last) {
+      const Vec3 o = points[0];
+      for (std::size_t i = first; i < last; ++i) {
+        const auto& t = triangles[begin + i];
+        parts[i] = dot(points[t[0]] - o, cross(points[t[1]] - o, points[t[2]] - o));
+      }
+    });
+    for (std::size_t i = 0; i < count; ++i) sum += parts[i];
   }
   return sum / 6;
 }

@@ -4,9 +4,9 @@
 #include <numeric>
 #include <span>
 
-#include "../geom/disjoint_sets.h"
 #include "../delaunay/conform.h"
 #include "../delaunay/lattice_predicates.h"
+#include "../geom/disjoint_sets.h"
 #include "../geom/parallel.h"
 #include "face_split.h"
 #include "self_check.h"

@@ -28,7 +28,6 @@ std::vector<std::uint32_t> count_regions(std::span<const FaceTriangulation> face
 
 /// By plane of the section graph. REQUIRES: the faces' `covered` filled by all cells.
 std::vector<PlaneAreas> measure_flats(std::span<const FaceTriangulation> faces, const Numbering& numbering,
-                                      const WorldGrid& grid, std::size_t plane_count,
-                                      const Context& context);
+                                      const WorldGrid& grid, std::size_t plane_count, const Context& context);
 
 }  // namespace crossloft

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
-#include <memory>
 #include <numeric>
 #include <utility>
 
@@ -12,6 +11,7 @@
 #include "../geom/parallel.h"
 #include "../prune/star.h"
 #include "lists.h"
+#include "resize.h"
 #include "self_check.h"
 #include "sort_quadruples.h"
 
@@ -78,7 +78,7 @@ FacetBuckets fill_buckets(Tets tets, std::span<const std::uint32_t> facets) {
 /// are glued. False if there are more than two, or two with the same side.
 class FacetMatcher {
  public:
-  FacetMatcher(Tets tets, std::vector<std::uint32_t>& partner) : tets_(tets), partner_(partner) {}
+  FacetMatcher(Tets tets, UnsetVector<std::uint32_t>& partner) : tets_(tets), partner_(partner) {}
 
   bool run(const std::vector<std::uint8_t>& flagged) {
     std::vector<std::uint32_t> facets;
@@ -105,7 +105,7 @@ class FacetMatcher {
   }
 
   Tets tets_;
-  std::vector<std::uint32_t>& partner_;
+  UnsetVector<std::uint32_t>& partner_;
   bool overlap_ = false;
 };
 
@@ -121,13 +121,13 @@ std::vector<std::uint8_t> vertices_of(Tets tets, std::span<const std::uint32_t> 
 
 /// Nothing known.
 KnownFacets all_loose(std::size_t tets) {
-  KnownFacets known{std::vector<std::uint32_t>(4 * tets, kNone), std::vector<std::uint32_t>(tets)};
+  KnownFacets known{UnsetVector<std::uint32_t>(4 * tets, kNone), std::vector<std::uint32_t>(tets)};
   std::iota(known.loose.begin(), known.loose.end(), 0U);
   return known;
 }
 
 /// By vertices alone, to check what was known; empty if tetrahedra overlap.
-std::vector<std::uint32_t> all_partners(Tets tets) {
+UnsetVector<std::uint32_t> all_partners(Tets tets) {
   KnownFacets all = all_loose(tets.size());
   if (!all.loose.empty() && !FacetMatcher(tets, all.partner).run(vertices_of(tets, all.loose))) return {};
   return all.partner;
@@ -140,11 +140,11 @@ bool is_boundary(std::uint32_t partner) { return (partner & kBoundaryMark) != 0;
 /// The boundary in the order of its facets, that is of the cells: neighbours are near each other. Triangles
 /// with their smallest vertex first.
 struct BoundaryFacets {
-  std::vector<Triple> triangles;
-  std::vector<std::uint32_t> facets;
+  UnsetVector<Triple> triangles;
+  UnsetVector<std::uint32_t> facets;
 };
 
-BoundaryFacets mark_boundary(Tets tets, std::vector<std::uint32_t>& partner, const Context& context) {
+BoundaryFacets mark_boundary(Tets tets, UnsetVector<std::uint32_t>& partner, const Context& context) {
   BoundaryFacets boundary;
   number_kept(
       partner.size(), context, "gluing", [&](std::size_t f) { return partner[f] == kNone; },
@@ -159,7 +159,7 @@ BoundaryFacets mark_boundary(Tets tets, std::vector<std::uint32_t>& partner, con
 
 /// The boundary facet at the other end of the solid wedge at an edge of a facet, the one without the
 /// vertex `stays`: from facet to facet around the edge, through the tetrahedra between them.
-std::uint32_t across_wedge(Tets tets, const std::vector<std::uint32_t>& partner, std::uint32_t facet,
+std::uint32_t across_wedge(Tets tets, const UnsetVector<std::uint32_t>& partner, std::uint32_t facet,
                            std::uint32_t stays) {
   for (;;) {
     // The way out is opposite to what came in before last, the only other vertex that is not on the edge.
@@ -175,12 +175,21 @@ std::uint32_t across_wedge(Tets tets, const std::vector<std::uint32_t>& partner,
 /// corner i.
 std::uint32_t next_corner(std::uint32_t corner) { return corner % 3 == 2 ? corner - 2 : corner + 1; }
 
+UnsetVector<std::uint32_t> all_none(std::size_t count, const Context& context) {
+  UnsetVector<std::uint32_t> numbers(count);
+  for_blocks(count, context, "gluing", [&](std::size_t first, std::size_t last) {
+    std::fill(numbers.data() + first, numbers.data() + last, kNone);
+  });
+  return numbers;
+}
+
 /// mate[s] = the side paired with side s, in the order of the facets. Whoever comes first to one of two sides
 /// tells both.
-std::vector<std::uint32_t> pair_sides(Tets tets, const std::vector<std::uint32_t>& partner,
+UnsetVector<std::uint32_t> pair_sides(Tets tets, const UnsetVector<std::uint32_t>& partner,
                                       const BoundaryFacets& boundary, const Context& context) {
-  const std::vector<Triple>& triangles = boundary.triangles;
-  std::vector<std::uint32_t> mate(3 * triangles.size(), kNone);
+  const UnsetVector<Triple>& triangles = boundary.triangles;
+  UnsetVector<std::uint32_t> mate = all_none(3 * triangles.size(), context);
+  if (context.cancelled()) return mate;
   const auto at = [&](std::uint32_t side) { return std::atomic_ref<std::uint32_t>(mate[side]); };
   const auto pair = [&](std::uint32_t side) {
     if (at(side).load(std::memory_order_relaxed) != kNone) return;
@@ -199,29 +208,30 @@ std::vector<std::uint32_t> pair_sides(Tets tets, const std::vector<std::uint32_t
   return mate;
 }
 
-using Quadruples = std::unique_ptr<std::array<std::uint32_t, 4>[]>;
-
 /// The triangles in order, each with its number so far.
-Quadruples sorted_with_numbers(const std::vector<Triple>& triangles, const Context& context) {
-  auto sorted = std::make_unique_for_overwrite<std::array<std::uint32_t, 4>[]>(triangles.size());
+UnsetVector<std::array<std::uint32_t, 4>> sorted_with_numbers(const UnsetVector<Triple>& triangles,
+                                                              const Context& context) {
+  UnsetVector<std::array<std::uint32_t, 4>> sorted(triangles.size());
   for_blocks(triangles.size(), context, "gluing", [&](std::size_t first, std::size_t last) {
     for (std::size_t t = first; t < last; ++t)
       sorted[t] = {triangles[t][0], triangles[t][1], triangles[t][2], static_cast<std::uint32_t>(t)};
   });
   std::size_t firsts = 0;
   for (const Triple& t : triangles) firsts = std::max(firsts, t[0] + std::size_t{1});
-  if (!context.cancelled()) sort_quadruples({sorted.get(), triangles.size()}, firsts, context);
+  if (!context.cancelled()) sort_quadruples(sorted, firsts, context);
   return sorted;
 }
 
-PairedBoundary sorted(const BoundaryFacets& boundary, const std::vector<std::uint32_t>& mate,
+/// Of no use if the context has been cancelled.
+PairedBoundary sorted(BoundaryFacets boundary, const UnsetVector<std::uint32_t>& mate,
                       const Context& context) {
   const std::size_t count = boundary.triangles.size();
-  const Quadruples by_place = sorted_with_numbers(boundary.triangles, context);
+  const auto by_place = sorted_with_numbers(boundary.triangles, context);
+  boundary.triangles = {};
   PairedBoundary result;
   if (context.cancelled()) return result;
   result.triangles.resize(count), result.facets.resize(count), result.mate.resize(mate.size());
-  const auto place = std::make_unique_for_overwrite<std::uint32_t[]>(count);
+  UnsetVector<std::uint32_t> place(count);
   for_blocks(count, context, "gluing", [&](std::size_t first, std::size_t last) {
     for (std::size_t k = first; k < last; ++k) {
       const auto& [a, b, c, number] = by_place[k];
@@ -265,12 +275,11 @@ class Cutter {
         mate_(boundary.mate),
         facets_(with_tets ? &boundary.facets : nullptr),
         context_(context),
-        copy_(mate_.size(), kNone) {}
+        copy_(all_none(mate_.size(), context)) {}
 
   GluedSurface run() {
-    const std::vector<UmbrellaAt> umbrellas = find_umbrellas();
     if (context_.cancelled()) return {};
-    make_copies(umbrellas);
+    make_copies(find_umbrellas());
     if (context_.cancelled()) return {};
     split_shared_edges();
     if (midpoint_.empty())
@@ -337,7 +346,10 @@ class Cutter {
       found[first / kBlock] = find_umbrellas_in(first, last);
     });
     std::vector<UmbrellaAt> umbrellas;
-    for (const auto& list : found) umbrellas.insert(umbrellas.end(), list.begin(), list.end());
+    for (auto& list : found) {
+      umbrellas.insert(umbrellas.end(), list.begin(), list.end());
+      list = {};
+    }
     sort_by_vertex(umbrellas, [](const UmbrellaAt& u) { return u.vertex; });
     return umbrellas;
   }
@@ -439,7 +451,7 @@ class Cutter {
   }
 
   void emit_whole() {
-    surface_.triangles.resize(triangles_.size());
+    resize(surface_.triangles, triangles_.size(), context_);
     surface_.tets.resize(facets_ ? triangles_.size() : 0);
     for_blocks(triangles_.size(), context_, "gluing", [&](std::size_t first, std::size_t last) {
       for (std::size_t t = first; t < last; ++t) {
@@ -485,12 +497,12 @@ class Cutter {
     surface_.triangles.push_back(rotated({a, b, c}));
   }
 
-  const std::vector<Triple>& triangles_;
-  const std::vector<std::uint32_t>& mate_;
-  const std::vector<std::uint32_t>* facets_;  ///< null if nobody wants to know
+  const UnsetVector<Triple>& triangles_;
+  const UnsetVector<std::uint32_t>& mate_;
+  const UnsetVector<std::uint32_t>* facets_;  ///< null if nobody wants to know
   const Context& context_;
   std::vector<Side> pinched_;            ///< at edges with several: one of each pair
-  std::vector<std::uint32_t> copy_;      ///< by corner: its vertex of the surface
+  UnsetVector<std::uint32_t> copy_;      ///< by corner: its vertex of the surface
   std::vector<std::uint32_t> midpoint_;  ///< by side; empty if there are none
   GluedSurface surface_;
 };
@@ -527,7 +539,8 @@ bool has_paired_sides(std::uint32_t vertex_count, std::span<const Triple> triang
 
 Result<PairedBoundary> pair_boundary(Tets tets, KnownFacets known, const Context& context) {
   if (tets.size() >= kBoundaryMark / 4) return failure(ErrorCode::too_large, "2^29 tetrahedra or more");
-  std::vector<std::uint32_t>& partner = known.partner;
+  if (context.cancelled()) return failure(ErrorCode::cancelled, "cancelled");
+  UnsetVector<std::uint32_t>& partner = known.partner;
   if (!known.loose.empty() && !FacetMatcher(tets, partner).run(vertices_of(tets, known.loose)))
     return failure(ErrorCode::internal, "tetrahedra overlap: they can't be glued");
   const auto good = self_check("gluing", [&] {
@@ -535,13 +548,13 @@ Result<PairedBoundary> pair_boundary(Tets tets, KnownFacets known, const Context
   });
   if (!good) return good.error();
   if (context.cancelled()) return failure(ErrorCode::cancelled, "cancelled");
-  const BoundaryFacets boundary = mark_boundary(tets, partner, context);
+  BoundaryFacets boundary = mark_boundary(tets, partner, context);
   if (context.cancelled()) return failure(ErrorCode::cancelled, "cancelled");
   if (boundary.facets.size() >= kNone / 3) return failure(ErrorCode::too_large, "2^32 / 3 triangles or more");
-  const std::vector<std::uint32_t> mate = pair_sides(tets, partner, boundary, context);
+  const UnsetVector<std::uint32_t> mate = pair_sides(tets, partner, boundary, context);
   if (context.cancelled()) return failure(ErrorCode::cancelled, "cancelled");
   partner = {};
-  PairedBoundary paired = sorted(boundary, mate, context);
+  PairedBoundary paired = sorted(std::move(boundary), mate, context);
   if (context.cancelled()) return failure(ErrorCode::cancelled, "cancelled");
   return paired;
 }

@@ -8,6 +8,7 @@
 #include "contacts.h"
 #include "flats.h"
 #include "mend.h"
+#include "resize.h"
 #include "section_confinement.h"
 #include "self_check.h"
 #include "window.h"
@@ -36,7 +37,7 @@ SolidInCells Pipeline::make_room() {
     next += cell.tet_count;
     for (std::size_t k = 0; k < cell.bridge_tets.size(); ++k) solid.known.loose.push_back(next++);
   }
-  solid.tets.resize(next);
+  resize(solid.tets, next, context_);
   solid.known.partner.resize(4 * std::size_t{next});
   return solid;
 }
@@ -117,11 +118,11 @@ Result<Done> Pipeline::glue_cells() {
     return verify_surface(count, glued->triangles) ? "" : "the surface is not a manifold";
   });
   if (!good) return good.error();
-  result_.surface = assemble_surface(*glued, numbering_, framed_.grid, context_);
+  result_.surface = assemble_surface(*glued_, numbering_, framed_.grid, context_);
   if (context_.cancelled()) return cancelled();
   Report& report = result_.report;
   // Where all of the solid is thinner than doubles tell it may come out negative.
-  report.volume = std::max(0.0, enclosed_volume(result_.surface));
+  report.volume = std::max(0.0, enclosed_volume(result_.surface, context_));
   mend(*glued);
   if (context_.cancelled()) return cancelled();
   report.pinched_vertices = glued->pinched_vertices;

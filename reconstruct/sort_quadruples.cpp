@@ -1,10 +1,10 @@
 #include "sort_quadruples.h"
 
 #include <algorithm>
-#include <memory>
 #include <vector>
 
 #include "../geom/parallel.h"
+#include "../geom/unset_vector.h"
 
 namespace crossloft {
 namespace {
@@ -23,20 +23,15 @@ bool is_before(const Quadruple& t, const Quadruple& u) {
   return both(t) != both(u) ? both(t) < both(u) : t[3] < u[3];
 }
 
-/// [part][block] to where the part's first item of the block goes; returns where each block begins.
+/// [part][block] to where the part's first item of the block goes in that block; returns how many each has.
 std::vector<std::uint32_t> counts_to_places(std::vector<std::uint32_t>& counts, std::size_t blocks) {
-  std::vector<std::uint32_t> begin;
-  std::uint32_t sum = 0;
-  for (std::size_t b = 0; b < blocks; ++b) {
-    begin.push_back(sum);
-    for (std::size_t k = b; k < counts.size(); k += blocks) {
-      const std::uint32_t count = counts[k];
-      counts[k] = sum;
-      sum += count;
-    }
+  std::vector<std::uint32_t> size(blocks, 0);
+  for (std::size_t k = 0; k < counts.size(); ++k) {
+    const std::uint32_t count = counts[k];
+    counts[k] = size[k % blocks];
+    size[k % blocks] += count;
   }
-  begin.push_back(sum);
-  return begin;
+  return size;
 }
 
 /// From one block into order at another place.
@@ -61,26 +56,30 @@ void sort_block(std::span<const Quadruple> from, std::span<Quadruple> to) {
 }  // namespace
 
 /// By blocks of first numbers, then by first numbers, then the few of each by the rest: straight away by
-/// first numbers each step would be a miss of the cache, which took several times as long.
+/// first numbers each step would be a miss of the cache, which took several times as long. Each block has
+/// memory of its own: there is enough of that size, given back by cells, but one array would be new.
 void sort_quadruples(std::span<Quadruple> items, std::size_t firsts, const Context& context) {
-  const std::size_t blocks = (firsts >> kFirstsBits) + 1, parts = (items.size() + kPart - 1) / kPart;
-  std::vector<std::uint32_t> places(parts * blocks, 0);
+  const std::size_t count = (firsts >> kFirstsBits) + 1, parts = (items.size() + kPart - 1) / kPart;
+  std::vector<std::uint32_t> places(parts * count, 0);
   const auto for_parts = [&](const auto& work) {
-    parallel_for(parts, context, "gluing", [&](std::size_t p) {
-      std::uint32_t* const of_part = places.data() + p * blocks;
+    return parallel_for(parts, context, "gluing", [&](std::size_t p) {
+      std::uint32_t* const of_part = places.data() + p * count;
       for (const Quadruple& t : items.subspan(p * kPart, std::min(kPart, items.size() - p * kPart)))
-        work(t, of_part[t[0] >> kFirstsBits]);
+        work(t, of_part, t[0] >> kFirstsBits);
     });
   };
-  for_parts([](const Quadruple&, std::uint32_t& count) { ++count; });
-  if (context.cancelled()) return;
-  const std::vector<std::uint32_t> begin = counts_to_places(places, blocks);
-  const auto by_block = std::make_unique_for_overwrite<Quadruple[]>(items.size());
-  for_parts([&](const Quadruple& t, std::uint32_t& place) { by_block[place++] = t; });
-  if (context.cancelled()) return;
-  parallel_for(blocks, context, "gluing", [&](std::size_t b) {
-    const std::size_t size = begin[b + 1] - begin[b];
-    sort_block({by_block.get() + begin[b], size}, items.subspan(begin[b], size));
+  if (!for_parts([](const Quadruple&, std::uint32_t* counts, std::size_t b) { ++counts[b]; })) return;
+  const std::vector<std::uint32_t> size = counts_to_places(places, count);
+  std::vector<UnsetVector<Quadruple>> blocks(count);
+  std::vector<std::size_t> begin(count + 1, 0);
+  for (std::size_t b = 0; b < count; ++b) blocks[b].resize(size[b]), begin[b + 1] = begin[b] + size[b];
+  const auto put = [&](const Quadruple& t, std::uint32_t* place, std::size_t b) {
+    blocks[b][place[b]++] = t;
+  };
+  if (!for_parts(put)) return;
+  parallel_for(count, context, "gluing", [&](std::size_t b) {
+    sort_block(blocks[b], items.subspan(begin[b], size[b]));
+    blocks[b] = {};
   });
 }
 
