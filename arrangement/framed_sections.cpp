@@ -69,21 +69,24 @@ std::vector<LatticeVector> directions_of(const NormalisedSections& in, const std
 
 /// The candidates in an order that the file's does not enter, as far as they differ.
 std::vector<Candidate> collect_candidates(const NormalisedSections& in,
-                                          const std::vector<LatticeVector>& directions, FramedSections& out) {
-  std::vector<Candidate> candidates;
-  for (std::size_t i = 0; i < in.sections.size(); ++i) {
+                                          const std::vector<LatticeVector>& directions, FramedSections& out,
+                                          const Context& context) {
+  std::vector<Candidate> all(in.sections.size()), candidates;
+  parallel_for(all.size(), context, "sections", [&](std::size_t i) {
     const WallSection& s = in.sections[i];
-    Candidate c{&s, directions[i], {}, {}};
+    Candidate& c = all[i] = {&s, directions[i], {}, {}};
     c.plane.normal = unit_vector(c.direction);
     c.plane.offset = offset_of(c, out.grid);
     c.points.reserve(s.vertices.size());
     for (const Vec3& v : s.vertices) c.points.push_back(out.grid.to_lattice(v));
-    if (!s.vertices.empty() || comes_near(c))
+  });
+  if (context.cancelled()) return candidates;
+  for (Candidate& c : all)
+    if (!c.section->vertices.empty() || comes_near(c))
       candidates.push_back(std::move(c));
     else
-      out.notes.push_back("plane " + std::to_string(s.source) +
+      out.notes.push_back("plane " + std::to_string(c.section->source) +
                           ": left out, it has no contour and stays away from the others");
-  }
   const auto content = [](const Candidate& c) {
     return std::tie(c.direction, c.plane.offset, c.section->vertices);
   };
@@ -337,12 +340,13 @@ Result<FramedSections> frame_sections(const Sections& in, double plane_tolerance
   const double radius = std::ceil(out.diagonal / out.grid.unit() / 2), tolerance = 2 * radius * kCoincidence;
 
   const std::vector<Candidate> candidates =
-      collect_candidates(*normalised, directions_of(*normalised, in.part_of), out);
+      collect_candidates(*normalised, directions_of(*normalised, in.part_of), out, context);
   Groups groups = group_equal(candidates, radius, tolerance);
-  std::vector<PlaneWish> wishes;
-  for (const auto& group : groups) wishes.push_back(wish_of(group));
+  std::vector<PlaneWish> wishes(groups.size());
+  parallel_for(groups.size(), context, "sections", [&](std::size_t g) { wishes[g] = wish_of(groups[g]); });
   if (context.cancelled()) return Error{ErrorCode::cancelled, "cancelled", in.source};
-  PlaneFrames frames = frame_planes(wishes, static_cast<std::int64_t>(radius), tolerance);
+  PlaneFrames frames = frame_planes(wishes, static_cast<std::int64_t>(radius), tolerance, context);
+  if (context.cancelled()) return Error{ErrorCode::cancelled, "cancelled", in.source};
   tell_of_coincidences(frames, out);
 
   const auto done =

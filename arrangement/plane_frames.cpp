@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "../geom/frame.h"
+#include "../geom/parallel.h"
 
 namespace crossloft {
 namespace {
@@ -24,8 +25,8 @@ class Framer {
         anchors_(wishes.size()),
         bound_(wishes.size()) {}
 
-  PlaneFrames run(Coincidences found) {
-    frame_each_alone();
+  PlaneFrames run(Coincidences found, const Context& context) {
+    frame_each_alone(context);
     const auto larger = [](const auto& a, const auto& b) { return a.planes.size() > b.planes.size(); };
     std::stable_sort(found.points.begin(), found.points.end(), larger);
     std::stable_sort(found.pencils.begin(), found.pencils.end(), larger);
@@ -43,15 +44,17 @@ class Framer {
   }
 
  private:
-  void frame_each_alone() {
+  void frame_each_alone(const Context& context) {
     std::map<LatticeVector, LatticeVector> known;
-    for (std::size_t i = 0; i < wishes_.size(); ++i) {
+    for (const PlaneWish& w : wishes_)
+      if (auto [entry, fresh] = known.try_emplace(w.direction); fresh)
+        entry->second = fit_normal(w.direction, radius_);
+    parallel_for(wishes_.size(), context, "sections", [&](std::size_t i) {
       const PlaneWish& w = wishes_[i];
-      auto [entry, fresh] = known.try_emplace(w.direction);
-      if (fresh) entry->second = fit_normal(w.direction, radius_);
-      planes_[i] = w.points.empty() ? plane_through(entry->second, w.centre, w.centre)
-                                    : plane_amid(entry->second, w.points, w.centre);
-    }
+      const LatticeVector& normal = known.find(w.direction)->second;
+      planes_[i] = w.points.empty() ? plane_through(normal, w.centre, w.centre)
+                                    : plane_amid(normal, w.points, w.centre);
+    });
   }
 
   void bind(const std::vector<std::uint32_t>& planes) {
@@ -148,10 +151,12 @@ class Framer {
 
 }  // namespace
 
-PlaneFrames frame_planes(const std::vector<PlaneWish>& wishes, std::int64_t radius, double tolerance) {
+PlaneFrames frame_planes(const std::vector<PlaneWish>& wishes, std::int64_t radius, double tolerance,
+                         const Context& context) {
   std::vector<WantedPlane> planes;
   for (const PlaneWish& w : wishes) planes.push_back(w.plane);
-  return Framer(wishes, radius).run(find_coincidences(planes, static_cast<double>(radius), tolerance));
+  return Framer(wishes, radius)
+      .run(find_coincidences(planes, static_cast<double>(radius), tolerance), context);
 }
 
 }  // namespace crossloft

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "../geom/context.h"
 #include "../geom/lattice.h"
 #include "coincidences.h"
 
@@ -28,6 +29,7 @@ struct PlaneFrames {
 /// and pencils a lattice axis through one lattice point. A plane is bound once: what would bind it in two
 /// ways is lost. `radius` bounds the data around the origin, `tolerance` is for the coincidences, both in
 /// lattice units. The order of the wishes matters for ties only: pass them in canonical order.
-PlaneFrames frame_planes(const std::vector<PlaneWish>& wishes, std::int64_t radius, double tolerance);
+PlaneFrames frame_planes(const std::vector<PlaneWish>& wishes, std::int64_t radius, double tolerance,
+                         const Context& context);
 
 }  // namespace crossloft

@@ -2,9 +2,11 @@
 /// vertices.
 
 #include <algorithm>
+#include <atomic>
 #include <numeric>
 
 #include "../geom/parallel.h"
+#include "../geom/parallel_sort.h"
 #include "contour_chains.h"
 #include "section_steps.h"
 
@@ -76,10 +78,14 @@ void RunMerger::run() {
 }
 
 /// True iff the vertices are in strictly lexicographic order and all in use.
-bool is_in_order(const SectionGraph& graph, const std::vector<bool>& used) {
-  for (std::uint32_t v = 0; v < graph.size(); ++v)
-    if (!used[v] || (v > 0 && compare_lex(graph.points[v - 1], graph.points[v]) >= 0)) return false;
-  return true;
+bool is_in_order(const SectionGraph& graph, const std::vector<std::uint8_t>& used, const Context& context) {
+  std::atomic<bool> good{true};
+  for_blocks(graph.size(), context, "sections", [&](std::size_t first, std::size_t last) {
+    for (std::size_t v = first; v < last && good.load(std::memory_order_relaxed); ++v)
+      if (used[v] == 0 || (v > 0 && compare_lex(graph.points[v - 1], graph.points[v]) >= 0))
+        good.store(false, std::memory_order_relaxed);
+  });
+  return good;
 }
 
 /// A vertex with what mostly decides its place, so that sorting need not look at the points.
@@ -89,12 +95,13 @@ struct Ordered {
 };
 
 /// The vertices in use in lexicographic order, equal ones by number.
-std::vector<Ordered> in_order(const SectionGraph& graph, const std::vector<bool>& used) {
+std::vector<Ordered> in_order(const SectionGraph& graph, const std::vector<std::uint8_t>& used,
+                              const Context& context) {
   std::vector<Ordered> list;
   list.reserve(graph.size());
   for (std::uint32_t v = 0; v < graph.size(); ++v)
-    if (used[v]) list.push_back({graph.points[v].x, v});
-  std::sort(list.begin(), list.end(), [&](const Ordered& a, const Ordered& b) {
+    if (used[v] != 0) list.push_back({graph.points[v].x, v});
+  sort_in_parallel(list, context, "sections", [&](const Ordered& a, const Ordered& b) {
     if (a.x != b.x) return a.x < b.x;  // rounding is monotone
     const int s = compare_lex(graph.points[a.number], graph.points[b.number]);
     return s != 0 ? s < 0 : a.number < b.number;
@@ -102,34 +109,49 @@ std::vector<Ordered> in_order(const SectionGraph& graph, const std::vector<bool>
   return list;
 }
 
-/// Vertices into lexicographic order, equal ones into one, those without a wall out unless `kept`.
-void renumber(SectionGraph& graph, const std::vector<bool>& kept) {
-  std::vector<bool> used = kept;
-  for (const auto& walls : graph.walls)
-    for (const Wall& w : walls) used[w.a] = used[w.b] = true;
-  if (is_in_order(graph, used)) {
-    for (auto& walls : graph.walls) cancel_pairs(walls);
-    return;
-  }
+void cancel_all_pairs(SectionGraph& graph, const Context& context) {
+  parallel_for(graph.walls.size(), context, "sections", [&](std::size_t p) { cancel_pairs(graph.walls[p]); });
+}
+
+/// Puts vertices into that order, equal ones into one; returns their new numbers.
+std::vector<std::uint32_t> reorder(SectionGraph& graph, const std::vector<Ordered>& ordered,
+                                   const Context& context) {
   std::vector<std::uint32_t> number(graph.size(), kNone), rows;
   std::vector<LatticePoint> points;
-  const std::vector<Ordered> ordered = in_order(graph, used);
-  points.reserve(ordered.size());
-  rows.reserve(ordered.size());
-  for (const Ordered& vertex : ordered) {
-    const LatticePoint& point = graph.points[vertex.number];
-    if (points.empty() || !equal(points.back(), point)) {
-      points.push_back(point);
-      rows.push_back(graph.row_of[vertex.number]);
-    }
-    number[vertex.number] = static_cast<std::uint32_t>(points.size() - 1);
-  }
+  const auto is_new = [&](std::size_t k) {
+    return k == 0 || ordered[k - 1].x != ordered[k].x ||
+           !equal(graph.points[ordered[k - 1].number], graph.points[ordered[k].number]);
+  };
+  number_kept(
+      ordered.size(), context, "sections", is_new,
+      [&](std::size_t count) { points.resize(count), rows.resize(count); },
+      [&](std::size_t k, std::size_t n) {
+        const std::uint32_t v = ordered[k].number;
+        number[v] = static_cast<std::uint32_t>(n);
+        points[n] = graph.points[v];
+        rows[n] = graph.row_of[v];
+      });
+  for (std::size_t k = 1; k < ordered.size(); ++k)
+    if (!is_new(k)) number[ordered[k].number] = number[ordered[k - 1].number];
   graph.points = std::move(points);
   graph.row_of = std::move(rows);
-  for (auto& walls : graph.walls) {
-    for (Wall& w : walls) w.a = number[w.a], w.b = number[w.b];
-    cancel_pairs(walls);
-  }
+  return number;
+}
+
+/// Vertices into lexicographic order, equal ones into one, those without a wall out unless `kept`.
+void renumber(SectionGraph& graph, const std::vector<std::uint8_t>& kept, const Context& context) {
+  std::vector<std::uint8_t> used = kept;
+  const auto use = [&](std::uint32_t v) { std::atomic_ref(used[v]).store(1, std::memory_order_relaxed); };
+  parallel_for(graph.walls.size(), context, "sections", [&](std::size_t p) {
+    for (const Wall& w : graph.walls[p]) use(w.a), use(w.b);
+  });
+  if (is_in_order(graph, used, context)) return cancel_all_pairs(graph, context);
+  const std::vector<std::uint32_t> number = reorder(graph, in_order(graph, used, context), context);
+  if (context.cancelled()) return;
+  parallel_for(graph.walls.size(), context, "sections", [&](std::size_t p) {
+    for (Wall& w : graph.walls[p]) w.a = number[w.a], w.b = number[w.b];
+    cancel_pairs(graph.walls[p]);
+  });
 }
 
 /// Replaces wall w of plane p by pieces through `between`, which lie on it.
@@ -263,19 +285,21 @@ void merge_collinear_runs(SectionGraph& graph) {
   for (std::uint32_t p = 0; p < graph.planes.size(); ++p) RunMerger(graph, p, places).run();
 }
 
-void drop_bare_vertices(SectionGraph& graph) { renumber(graph, std::vector<bool>(graph.size(), false)); }
+void drop_bare_vertices(SectionGraph& graph, const Context& context) {
+  renumber(graph, std::vector<std::uint8_t>(graph.size(), 0), context);
+}
 
 bool unify(SectionGraph& graph, const Arrangement& arrangement, std::vector<SoundPlane>& planes,
            const Context& context) {
-  drop_bare_vertices(graph);
+  drop_bare_vertices(graph, context);
   planes.assign(graph.planes.size(), {});
   const auto cut = [&](std::size_t p) {
     planes[p] = cut_touching(graph, arrangement, static_cast<std::uint32_t>(p));
   };
   if (!parallel_for(graph.planes.size(), context, "sections", cut)) return false;
   cut_along_edges(graph, arrangement, planes);
-  drop_bare_vertices(graph);
-  return true;
+  drop_bare_vertices(graph, context);
+  return !context.cancelled();
 }
 
 PlaneCorners orient_walls(SectionGraph& graph, const Arrangement& arrangement, std::uint32_t p,
@@ -290,7 +314,7 @@ PlaneCorners orient_walls(SectionGraph& graph, const Arrangement& arrangement, s
 }
 
 void add_arrangement_vertices(SectionGraph& graph, const Arrangement& arrangement,
-                              std::span<const SoundPlane> planes) {
+                              std::span<const SoundPlane> planes, const Context& context) {
   const std::uint32_t count = arrangement.vertex_count();
   std::vector<bool> in(count, false), out(count, false);
   for (const auto& [is_sound, corners] : planes)
@@ -303,7 +327,7 @@ void add_arrangement_vertices(SectionGraph& graph, const Arrangement& arrangemen
     graph.add(arrangement.point(ArrVertexId{v}));
     any = true;
   }
-  if (any) renumber(graph, std::vector<bool>(graph.size(), true));
+  if (any) renumber(graph, std::vector<std::uint8_t>(graph.size(), 1), context);
 }
 
 }  // namespace crossloft::section_steps

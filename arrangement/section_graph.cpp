@@ -89,12 +89,12 @@ bool orient_walls(SectionGraph& graph, const Arrangement& arrangement,
     std::vector<WallEnds> ends;
     planes[i].corners = section_steps::orient_walls(graph, arrangement, p, graph.locator(p, ends));
   });
-  if (complete) section_steps::add_arrangement_vertices(graph, arrangement, planes);
-  return complete;
+  if (complete) section_steps::add_arrangement_vertices(graph, arrangement, planes, context);
+  return complete && !context.cancelled();
 }
 
 /// Where vertices and walls are. A wall that crosses no plane is in the face that one of its ends is in.
-Result<Done> locate_all(SectionGraph& graph, const Arrangement& arrangement) {
+Result<Done> locate_all(SectionGraph& graph, const Arrangement& arrangement, const Context& context) {
   section_steps::RowLocations location(graph, arrangement);
   graph.locations.reserve(graph.size());
   for (std::uint32_t v = 0; v < graph.size(); ++v) {
@@ -108,10 +108,11 @@ Result<Done> locate_all(SectionGraph& graph, const Arrangement& arrangement) {
         return graph.locations[v];
     return section_steps::wall_location(graph, arrangement, w);
   };
-  for (const auto& walls : graph.walls) {
-    std::vector<Location>& list = graph.wall_locations.emplace_back();
-    list.reserve(walls.size());
-    for (const Wall& w : walls) {
+  graph.wall_locations.resize(graph.walls.size());
+  return for_all(graph.walls.size(), context, "sections", [&](std::size_t p) -> Result<Done> {
+    std::vector<Location>& list = graph.wall_locations[p];
+    list.reserve(graph.walls[p].size());
+    for (const Wall& w : graph.walls[p]) {
       list.push_back(locate(w));
       if (!list.back().found())
         return Error{ErrorCode::internal,
@@ -121,8 +122,8 @@ Result<Done> locate_all(SectionGraph& graph, const Arrangement& arrangement) {
                      w.source_plane,
                      w.contour};
     }
-  }
-  return Done{};
+    return Done{};
+  });
 }
 
 }  // namespace
@@ -146,13 +147,13 @@ Result<SectionGraph> build_section_graph(const FramedSections& framed, const Arr
     return make_error(ErrorCode::cancelled, "cancelled");
   if (auto checked = check_crossings(graph, planes, context); !checked) return checked.error();
   if (tolerances.simplify > 0) {
-    steps::simplify_contours(graph, tolerances.simplify);
+    steps::simplify_contours(graph, tolerances.simplify, context);
     planes.assign(planes.size(), {});
     if (auto checked = check_crossings(graph, planes, context); !checked) return checked.error();
   }
   if (!orient_walls(graph, arrangement, planes, context))
     return make_error(ErrorCode::cancelled, "cancelled");
-  if (auto located = locate_all(graph, arrangement); !located) return located.error();
+  if (auto located = locate_all(graph, arrangement, context); !located) return located.error();
   return graph;
 }
 

@@ -206,10 +206,10 @@ void Simplifier::run() {
 
 }  // namespace
 
-void simplify_contours(SectionGraph& graph, double tolerance) {
+void simplify_contours(SectionGraph& graph, double tolerance, const Context& context) {
   ContourPlaces places(graph.size());
   for (std::uint32_t p = 0; p < graph.planes.size(); ++p) Simplifier(graph, p, places, tolerance).run();
-  drop_bare_vertices(graph);
+  drop_bare_vertices(graph, context);
 }
 
 }  // namespace crossloft::section_steps

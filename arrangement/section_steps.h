@@ -67,15 +67,15 @@ bool unify(SectionGraph& graph, const Arrangement& arrangement, std::vector<Soun
 /// Drops contour vertices in the interior of faces as long as all that were dropped stay within `tolerance`
 /// of the wall in their place, contours neither cross nor vanish, and sections stay the same on the lines of
 /// planes: see section_simplify.cpp. REQUIRES: unify() done, contours don't cross.
-void simplify_contours(SectionGraph& graph, double tolerance);
+void simplify_contours(SectionGraph& graph, double tolerance, const Context& context = {});
 
-/// Takes out the vertices without a wall.
-void drop_bare_vertices(SectionGraph& graph);
+/// Takes out the vertices without a wall. Of no use if the context has been cancelled.
+void drop_bare_vertices(SectionGraph& graph, const Context& context);
 
 /// Adds the arrangement vertices that lie in the closed section of one of their planes. Walls stay what they
 /// are, inner sides too: none has such a vertex in its interior, and their ends keep their order.
 void add_arrangement_vertices(SectionGraph& graph, const Arrangement& arrangement,
-                              std::span<const SoundPlane> planes);
+                              std::span<const SoundPlane> planes, const Context& context);
 
 /// True iff the ends of the wall are on different sides of a plane.
 bool crosses_a_plane(const SectionGraph& graph, const Wall& wall);

@@ -1,9 +1,11 @@
 #include "assemble.h"
 
 #include <algorithm>
-#include <numeric>
+#include <atomic>
 
 #include "../geom/parallel.h"
+#include "resize.h"
+#include "sort_quadruples.h"
 
 namespace crossloft {
 namespace {
@@ -23,35 +25,6 @@ std::array<std::uint32_t, 4> canonical(const std::array<std::uint32_t, 4>& t) {
 
 using Tet = std::array<std::uint32_t, 4>;
 
-/// In place: each to the others of the same key(t), which is below `keys`. Returns where those of each key
-/// begin, and the end of all.
-template <class Key>
-std::vector<std::uint32_t> group(std::span<Tet> tets, std::size_t keys, Key key) {
-  std::vector<std::uint32_t> begin(keys + 1, 0);
-  for (const Tet& t : tets) ++begin[key(t) + std::size_t{1}];
-  std::partial_sum(begin.begin(), begin.end(), begin.begin());
-  std::vector<std::uint32_t> next(begin.begin(), begin.end() - 1);
-  for (std::size_t k = 0; k < keys; ++k)
-    while (next[k] != begin[k + 1]) {
-      Tet& t = tets[next[k]];
-      const std::size_t to = key(t);
-      if (to == k)
-        ++next[k];
-      else
-        std::swap(t, tets[next[to]++]);
-    }
-  return begin;
-}
-
-/// Of the same first vertex.
-bool is_before(const Tet& t, const Tet& u) {
-  const auto both = [](const Tet& x) { return std::uint64_t{x[1]} << 32 | x[2]; };
-  return both(t) != both(u) ? both(t) < both(u) : t[3] < u[3];
-}
-
-/// First vertices that are told apart together: their tetrahedra, some four of each, stay in a cache.
-constexpr unsigned kBlockBits = 10;
-
 Vec3 unit_normal(const LatticeVector& n) {
   const Vec3 v{static_cast<double>(n[0]), static_cast<double>(n[1]), static_cast<double>(n[2])};
   return (1 / norm(v)) * v;
@@ -59,44 +32,53 @@ Vec3 unit_normal(const LatticeVector& n) {
 
 }  // namespace
 
-/// By blocks of first vertices, then by first vertices, then the few of each by the rest: straight away by
-/// first vertices each step would be a miss of the cache, which took several times as long.
 void sort_tets(std::span<Tet> tets, std::size_t vertices, const Context& context) {
-  for (Tet& t : tets) t = canonical(t);
-  const std::size_t blocks = (vertices >> kBlockBits) + 1, size = std::size_t{1} << kBlockBits;
-  const auto begin = group(tets, blocks, [](const Tet& t) { return t[0] >> kBlockBits; });
-  parallel_for(blocks, context, "gluing", [&](std::size_t b) {
-    const auto block = tets.subspan(begin[b], begin[b + 1] - begin[b]);
-    const auto of = group(block, size, [&](const Tet& t) { return t[0] & (size - 1); });
-    for (std::size_t v = 0; v < size; ++v)
-      std::sort(block.begin() + of[v], block.begin() + of[v + 1], is_before);
+  for_blocks(tets.size(), context, "gluing", [&](std::size_t first, std::size_t last) {
+    for (std::size_t t = first; t < last; ++t) tets[t] = canonical(tets[t]);
   });
+  sort_quadruples(tets, vertices, context);
 }
 
-Solid assemble_solid(std::vector<Tet> tets, const Numbering& numbering, const WorldGrid& grid) {
+Solid assemble_solid(std::vector<Tet> tets, const Numbering& numbering, const WorldGrid& grid,
+                     const Context& context) {
   std::vector<std::uint32_t> number(numbering.points.size(), kNone);
-  for (const Tet& t : tets)
-    for (const std::uint32_t v : t) number[v] = 0;
+  for_blocks(tets.size(), context, "gluing", [&](std::size_t first, std::size_t last) {
+    for (std::size_t t = first; t < last; ++t)
+      for (const std::uint32_t v : tets[t])
+        if (const std::atomic_ref use(number[v]); use.load(std::memory_order_relaxed) == kNone)
+          use.store(0, std::memory_order_relaxed);
+  });
   Solid solid;
-  solid.points.reserve(static_cast<std::size_t>(std::count(number.begin(), number.end(), 0u)));
-  for (std::size_t v = 0; v < number.size(); ++v) {
-    if (number[v] == kNone) continue;
-    number[v] = static_cast<std::uint32_t>(solid.points.size());
-    solid.points.push_back(grid.from_lattice(numbering.points[v]));
-  }
+  number_kept(
+      number.size(), context, "gluing", [&](std::size_t v) { return number[v] != kNone; },
+      [&](std::size_t used) { resize(solid.points, used, context); },
+      [&](std::size_t v, std::size_t n) {
+        number[v] = static_cast<std::uint32_t>(n);
+        solid.points[n] = grid.from_lattice(numbering.points[v]);
+      });
   solid.tets = std::move(tets);
-  for (Tet& t : solid.tets) t = {number[t[0]], number[t[1]], number[t[2]], number[t[3]]};
+  for_blocks(solid.tets.size(), context, "gluing", [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i)
+      for (std::uint32_t& v : solid.tets[i]) v = number[v];
+  });
   return solid;
 }
 
-Surface assemble_surface(const GluedSurface& glued, const Numbering& numbering, const WorldGrid& grid) {
+Surface assemble_surface(GluedSurface& glued, const Numbering& numbering, const WorldGrid& grid,
+                         const Context& context) {
   Surface surface;
-  surface.points.reserve(glued.vertices.size());
-  for (const SurfaceVertex& v : glued.vertices) {
-    const Vec3 a = grid.from_lattice(numbering.points[v.a]);
-    surface.points.push_back(v.is_midpoint() ? 0.5 * (a + grid.from_lattice(numbering.points[v.b])) : a);
-  }
-  surface.triangles = glued.triangles;
+  resize(surface.points, glued.vertices.size(), context);
+  for_blocks(surface.points.size(), context, "gluing", [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      const SurfaceVertex& v = glued.vertices[i];
+      const Vec3 a = grid.from_lattice(numbering.points[v.a]);
+      surface.points[i] = v.is_midpoint() ? 0.5 * (a + grid.from_lattice(numbering.points[v.b])) : a;
+    }
+  });
+  if (glued.copies == 0)
+    surface.triangles = std::move(glued.triangles);
+  else
+    surface.triangles = glued.triangles;
   return surface;
 }
 
@@ -147,26 +129,39 @@ void fill_section(PlaneSection& plane, const std::vector<Piece>& pieces, const N
 }  // namespace
 
 Sections assemble_sections(const FramedSections& framed, const SectionGraph& graph,
-                           std::span<const FaceTriangulation> faces, const Numbering& numbering) {
+                           std::span<const FaceTriangulation> faces, const Numbering& numbering,
+                           const Context& context) {
   std::vector<std::vector<std::uint32_t>> of_plane(graph.planes.size());
   for (std::uint32_t f = 0; f < faces.size(); ++f)
     if (!faces[f].walls.empty()) of_plane[faces[f].plane].push_back(f);
   Sections sections;
-  sections.planes.reserve(graph.planes.size());
-  for (std::uint32_t p = 0; p < graph.planes.size(); ++p) {
-    PlaneSection& plane = sections.planes.emplace_back();
+  sections.planes.resize(graph.planes.size());
+  parallel_for(graph.planes.size(), context, "sections", [&](std::size_t k) {
+    const auto p = static_cast<std::uint32_t>(k);
+    PlaneSection& plane = sections.planes[p];
     plane.normal = unit_normal(graph.planes[p].normal);
     plane.offset = -dot(plane.normal, framed.grid.from_lattice(make_point(graph.planes[p].origin)));
     fill_section(plane, pieces_of_plane(p, graph, faces, of_plane[p], numbering), numbering, framed.grid);
-  }
+  });
   return sections;
 }
 
-double enclosed_volume(const Surface& surface) {
+/// Summed one by one, so that the sum does not depend on the threads; what is summed takes the time.
+double enclosed_volume(const Surface& surface, const Context& context) {
+  const auto& [points, triangles] = surface;
+  constexpr std::size_t kAtOnce = 32 * kBlock;
+  std::vector<double> parts(std::min(triangles.size(), kAtOnce));
   double sum = 0;
-  for (const auto& t : surface.triangles) {
-    const Vec3 o = surface.points[0];
-    sum += dot(surface.points[t[0]] - o, cross(surface.points[t[1]] - o, surface.points[t[2]] - o));
+  for (std::size_t begin = 0; begin < triangles.size() && !context.cancelled(); begin += kAtOnce) {
+    const std::size_t count = std::min(kAtOnce, triangles.size() - begin);
+    for_blocks(count, context, "gluing", [&](std::size_t first, std::size_t last) {
+      const Vec3 o = points[0];
+      for (std::size_t i = first; i < last; ++i) {
+        const auto& t = triangles[begin + i];
+        parts[i] = dot(points[t[0]] - o, cross(points[t[1]] - o, points[t[2]] - o));
+      }
+    });
+    for (std::size_t i = 0; i < count; ++i) sum += parts[i];
   }
   return sum / 6;
 }

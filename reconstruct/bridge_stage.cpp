@@ -60,6 +60,7 @@ std::span<const T> of_edge(const std::vector<T>& list, const Edge& edge) {
 std::vector<SectionSide> section_sides(std::span<const FaceTriangulation> faces, const Numbering& numbering,
                                        const Arrangement& arrangement, std::span<const Source> sources) {
   std::vector<SectionSide> sides;
+  if (sources.empty()) return sides;
   for (std::uint32_t f = 0; f < faces.size(); ++f)
     for (std::uint32_t t = 0; t < faces[f].triangles.size(); ++t)
       for (std::size_t i = 0; i < 3 && faces[f].internal[t] != 0; ++i) {

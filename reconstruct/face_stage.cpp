@@ -20,7 +20,7 @@ void CellState::renumber(std::span<const std::uint32_t> number) {
 }
 
 Result<Done> Pipeline::triangulate_faces() {
-  inputs_ = face_inputs(graph_, *arrangement_);
+  inputs_ = face_inputs(graph_, *arrangement_, context_);
   locators_ = std::make_unique<PlaneLocators>(graph_);
   faces_.resize(inputs_.size());
   const auto good = for_all(inputs_.size(), "faces", [&](std::size_t f) -> Result<Done> {
@@ -74,6 +74,8 @@ Result<Done> Pipeline::refine_faces(std::span<const std::vector<LatticePoint>> s
 /// Edges on lines get their kinds.
 void Pipeline::classify_lines() {
   line_edges_ = std::make_unique<LineEdges>(graph_);
+  const auto in_face = [](const Location& at) { return at.dimension == 2; };
+  if (std::all_of(graph_.locations.begin(), graph_.locations.end(), in_face)) return;  // as in a stack
   for (const FaceTriangulation& face : faces_) line_edges_->add(face);
   line_edges_->finish();
   for (FaceTriangulation& face : faces_) {
@@ -117,7 +119,7 @@ void Pipeline::finish_faces() {
     for (const FaceTriangulation& face : faces_)
       if (face.face.valid()) observer_->on_face(face, numbering_);
   drop_what_cells_need();
-  result_.sections = assemble_sections(framed_, graph_, faces_, numbering_);
+  result_.sections = assemble_sections(framed_, graph_, faces_, numbering_, context_);
   result_.report.seconds.faces += watch_.lap();
 }
 

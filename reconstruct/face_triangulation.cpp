@@ -4,9 +4,10 @@
 #include <numeric>
 #include <span>
 
-#include "../geom/disjoint_sets.h"
 #include "../delaunay/conform.h"
 #include "../delaunay/lattice_predicates.h"
+#include "../geom/disjoint_sets.h"
+#include "../geom/parallel.h"
 #include "face_split.h"
 #include "self_check.h"
 
@@ -28,10 +29,13 @@ void for_each_face(const Arrangement& arrangement, Location at, Use&& use) {
 /// The places of graph vertices in their faces.
 class PlacesInFaces {
  public:
-  PlacesInFaces(const SectionGraph& graph, const std::vector<FaceInput>& inputs)
+  PlacesInFaces(const SectionGraph& graph, const std::vector<FaceInput>& inputs, const Context& context)
       : graph_(graph), inputs_(inputs), place_(graph.size()) {
-    for (const FaceInput& input : inputs)
-      for (std::uint32_t k = 0; k < input.vertices.size(); ++k) place_[input.vertices[k]] = k;
+    parallel_for(inputs.size(), context, "faces", [&](std::size_t f) {
+      const auto& vertices = inputs[f].vertices;
+      for (std::uint32_t k = 0; k < vertices.size(); ++k)
+        if (is_in_face(vertices[k])) place_[vertices[k]] = k;
+    });
   }
   Wall local(Wall wall, std::uint32_t face) const {
     wall.a = place(wall.a, face), wall.b = place(wall.b, face);
@@ -39,9 +43,10 @@ class PlacesInFaces {
   }
 
  private:
+  bool is_in_face(std::uint32_t v) const { return graph_.locations[v].dimension == 2; }
   /// A vertex in the open face is in no other; one on a line is searched for.
   std::uint32_t place(std::uint32_t v, std::uint32_t face) const {
-    if (graph_.locations[v].dimension == 2) return place_[v];
+    if (is_in_face(v)) return place_[v];
     const auto& list = inputs_[face].vertices;
     return static_cast<std::uint32_t>(std::lower_bound(list.begin(), list.end(), v) - list.begin());
   }
@@ -72,7 +77,9 @@ std::vector<std::uint32_t> count_walls(const SectionGraph& graph, std::size_t fa
 
 }  // namespace
 
-std::vector<FaceInput> face_inputs(const SectionGraph& graph, const Arrangement& arrangement) {
+/// Walls of a plane are in faces of that plane alone.
+std::vector<FaceInput> face_inputs(const SectionGraph& graph, const Arrangement& arrangement,
+                                   const Context& context) {
   std::vector<FaceInput> inputs(arrangement.face_count());
   const std::vector<std::uint32_t> walls = count_walls(graph, inputs.size());
   for (std::uint32_t f = 0; f < inputs.size(); ++f) {
@@ -80,8 +87,8 @@ std::vector<FaceInput> face_inputs(const SectionGraph& graph, const Arrangement&
     inputs[f].walls.reserve(walls[f]);
   }
   collect_vertices(graph, arrangement, inputs);
-  const PlacesInFaces places(graph, inputs);
-  for (std::uint32_t p = 0; p < graph.planes.size(); ++p)
+  const PlacesInFaces places(graph, inputs, context);
+  parallel_for(graph.planes.size(), context, "faces", [&](std::size_t p) {
     for (std::size_t w = 0; w < graph.walls[p].size(); ++w) {
       const Wall& wall = graph.walls[p][w];
       const Location at = graph.wall_locations[p][w];
@@ -91,6 +98,7 @@ std::vector<FaceInput> face_inputs(const SectionGraph& graph, const Arrangement&
           if (arrangement.plane_of(f).value == p)
             inputs[f.value].border.push_back(places.local(wall, f.value));
     }
+  });
   return inputs;
 }
 

@@ -51,7 +51,8 @@ struct FaceInput {
 };
 
 /// The inputs of all faces that are not on the box, by face.
-std::vector<FaceInput> face_inputs(const SectionGraph& graph, const Arrangement& arrangement);
+std::vector<FaceInput> face_inputs(const SectionGraph& graph, const Arrangement& arrangement,
+                                   const Context& context);
 
 /// Triangulates; without area in its vertices the face has no triangles. Independent of other faces: may run
 /// in parallel. Error too_thin (with plane and contour) if a contour edge could not be recovered.

@@ -11,7 +11,9 @@
 #include "../geom/parallel.h"
 #include "../prune/star.h"
 #include "lists.h"
+#include "resize.h"
 #include "self_check.h"
+#include "sort_quadruples.h"
 
 namespace crossloft {
 namespace {
@@ -72,23 +74,11 @@ FacetBuckets fill_buckets(Tets tets, std::span<const std::uint32_t> facets) {
   return buckets;
 }
 
-/// Triangles that are worked on together, one block a task: near each other, as they come cell by cell.
-constexpr std::uint32_t kBlock = 1U << 13;
-
-/// Calls work(first, last) for each block of triangles.
-template <class Work>
-bool for_blocks(std::size_t triangles, const Context& context, Work&& work) {
-  return parallel_for((triangles + kBlock - 1) / kBlock, context, "gluing", [&](std::size_t b) {
-    work(static_cast<std::uint32_t>(b * kBlock),
-         static_cast<std::uint32_t>(std::min(triangles, (b + 1) * kBlock)));
-  });
-}
-
 /// Facets without a partner all of whose vertices are flagged, in groups of the same vertices: two of them
 /// are glued. False if there are more than two, or two with the same side.
 class FacetMatcher {
  public:
-  FacetMatcher(Tets tets, std::vector<std::uint32_t>& partner) : tets_(tets), partner_(partner) {}
+  FacetMatcher(Tets tets, UnsetVector<std::uint32_t>& partner) : tets_(tets), partner_(partner) {}
 
   bool run(const std::vector<std::uint8_t>& flagged) {
     std::vector<std::uint32_t> facets;
@@ -115,7 +105,7 @@ class FacetMatcher {
   }
 
   Tets tets_;
-  std::vector<std::uint32_t>& partner_;
+  UnsetVector<std::uint32_t>& partner_;
   bool overlap_ = false;
 };
 
@@ -131,13 +121,13 @@ std::vector<std::uint8_t> vertices_of(Tets tets, std::span<const std::uint32_t> 
 
 /// Nothing known.
 KnownFacets all_loose(std::size_t tets) {
-  KnownFacets known{std::vector<std::uint32_t>(4 * tets, kNone), std::vector<std::uint32_t>(tets)};
+  KnownFacets known{UnsetVector<std::uint32_t>(4 * tets, kNone), std::vector<std::uint32_t>(tets)};
   std::iota(known.loose.begin(), known.loose.end(), 0U);
   return known;
 }
 
 /// By vertices alone, to check what was known; empty if tetrahedra overlap.
-std::vector<std::uint32_t> all_partners(Tets tets) {
+UnsetVector<std::uint32_t> all_partners(Tets tets) {
   KnownFacets all = all_loose(tets.size());
   if (!all.loose.empty() && !FacetMatcher(tets, all.partner).run(vertices_of(tets, all.loose))) return {};
   return all.partner;
@@ -150,27 +140,26 @@ bool is_boundary(std::uint32_t partner) { return (partner & kBoundaryMark) != 0;
 /// The boundary in the order of its facets, that is of the cells: neighbours are near each other. Triangles
 /// with their smallest vertex first.
 struct BoundaryFacets {
-  std::vector<Triple> triangles;
-  std::vector<std::uint32_t> facets;
+  UnsetVector<Triple> triangles;
+  UnsetVector<std::uint32_t> facets;
 };
 
-BoundaryFacets mark_boundary(Tets tets, std::vector<std::uint32_t>& partner) {
+BoundaryFacets mark_boundary(Tets tets, UnsetVector<std::uint32_t>& partner, const Context& context) {
   BoundaryFacets boundary;
-  const auto count = static_cast<std::size_t>(std::count(partner.begin(), partner.end(), kNone));
-  boundary.triangles.reserve(count);
-  boundary.facets.reserve(count);
-  for (std::uint32_t f = 0; f < partner.size(); ++f) {
-    if (partner[f] != kNone) continue;
-    partner[f] = kBoundaryMark | static_cast<std::uint32_t>(boundary.facets.size());
-    boundary.triangles.push_back(rotated(outward(tets, f)));
-    boundary.facets.push_back(f);
-  }
+  number_kept(
+      partner.size(), context, "gluing", [&](std::size_t f) { return partner[f] == kNone; },
+      [&](std::size_t count) { boundary.triangles.resize(count), boundary.facets.resize(count); },
+      [&](std::size_t f, std::size_t number) {
+        partner[f] = kBoundaryMark | static_cast<std::uint32_t>(number);
+        boundary.facets[number] = static_cast<std::uint32_t>(f);
+        boundary.triangles[number] = rotated(outward(tets, static_cast<std::uint32_t>(f)));
+      });
   return boundary;
 }
 
 /// The boundary facet at the other end of the solid wedge at an edge of a facet, the one without the
 /// vertex `stays`: from facet to facet around the edge, through the tetrahedra between them.
-std::uint32_t across_wedge(Tets tets, const std::vector<std::uint32_t>& partner, std::uint32_t facet,
+std::uint32_t across_wedge(Tets tets, const UnsetVector<std::uint32_t>& partner, std::uint32_t facet,
                            std::uint32_t stays) {
   for (;;) {
     // The way out is opposite to what came in before last, the only other vertex that is not on the edge.
@@ -186,12 +175,21 @@ std::uint32_t across_wedge(Tets tets, const std::vector<std::uint32_t>& partner,
 /// corner i.
 std::uint32_t next_corner(std::uint32_t corner) { return corner % 3 == 2 ? corner - 2 : corner + 1; }
 
+UnsetVector<std::uint32_t> all_none(std::size_t count, const Context& context) {
+  UnsetVector<std::uint32_t> numbers(count);
+  for_blocks(count, context, "gluing", [&](std::size_t first, std::size_t last) {
+    std::fill(numbers.data() + first, numbers.data() + last, kNone);
+  });
+  return numbers;
+}
+
 /// mate[s] = the side paired with side s, in the order of the facets. Whoever comes first to one of two sides
 /// tells both.
-std::vector<std::uint32_t> pair_sides(Tets tets, const std::vector<std::uint32_t>& partner,
+UnsetVector<std::uint32_t> pair_sides(Tets tets, const UnsetVector<std::uint32_t>& partner,
                                       const BoundaryFacets& boundary, const Context& context) {
-  const std::vector<Triple>& triangles = boundary.triangles;
-  std::vector<std::uint32_t> mate(3 * triangles.size(), kNone);
+  const UnsetVector<Triple>& triangles = boundary.triangles;
+  UnsetVector<std::uint32_t> mate = all_none(3 * triangles.size(), context);
+  if (context.cancelled()) return mate;
   const auto at = [&](std::uint32_t side) { return std::atomic_ref<std::uint32_t>(mate[side]); };
   const auto pair = [&](std::uint32_t side) {
     if (at(side).load(std::memory_order_relaxed) != kNone) return;
@@ -204,50 +202,52 @@ std::vector<std::uint32_t> pair_sides(Tets tets, const std::vector<std::uint32_t
     at(side).store(found, std::memory_order_relaxed);
     at(found).store(side, std::memory_order_relaxed);
   };
-  for_blocks(triangles.size(), context, [&](std::uint32_t first, std::uint32_t last) {
-    for (std::uint32_t side = 3 * first; side < 3 * last; ++side) pair(side);
+  for_blocks(triangles.size(), context, "gluing", [&](std::size_t first, std::size_t last) {
+    for (std::size_t side = 3 * first; side < 3 * last; ++side) pair(static_cast<std::uint32_t>(side));
   });
   return mate;
 }
 
-/// The places of the triangles when they are sorted: by their first vertex in linear time, then the few that
-/// have the same one.
-std::vector<std::uint32_t> sorted_places(const std::vector<Triple>& triangles) {
-  std::uint32_t vertex_count = 0;
-  for (const Triple& t : triangles) vertex_count = std::max(vertex_count, t[0] + 1);
-  std::vector<std::uint32_t> begin(vertex_count + std::size_t{1}, 0);
-  for (const Triple& t : triangles) ++begin[t[0] + std::size_t{1}];
-  std::partial_sum(begin.begin(), begin.end(), begin.begin());
-  struct Entry {
-    std::uint32_t second, third, number;
-    bool operator<(const Entry& o) const { return second != o.second ? second < o.second : third < o.third; }
-  };
-  std::vector<Entry> found(triangles.size());
-  for (std::uint32_t t = 0; t < triangles.size(); ++t)
-    found[begin[triangles[t][0]]++] = {triangles[t][1], triangles[t][2], t};
-  // Now begin[v] is where those of v end.
-  std::vector<std::uint32_t> place(triangles.size());
-  for (std::uint32_t v = 0, first = 0; first < found.size(); first = begin[v++]) {
-    std::sort(found.begin() + first, found.begin() + begin[v]);
-    for (std::uint32_t k = first; k < begin[v]; ++k) place[found[k].number] = k;
-  }
-  return place;
+/// The triangles in order, each with its number so far.
+UnsetVector<std::array<std::uint32_t, 4>> sorted_with_numbers(const UnsetVector<Triple>& triangles,
+                                                              const Context& context) {
+  UnsetVector<std::array<std::uint32_t, 4>> sorted(triangles.size());
+  for_blocks(triangles.size(), context, "gluing", [&](std::size_t first, std::size_t last) {
+    for (std::size_t t = first; t < last; ++t)
+      sorted[t] = {triangles[t][0], triangles[t][1], triangles[t][2], static_cast<std::uint32_t>(t)};
+  });
+  std::size_t firsts = 0;
+  for (const Triple& t : triangles) firsts = std::max(firsts, t[0] + std::size_t{1});
+  if (!context.cancelled()) sort_quadruples(sorted, firsts, context);
+  return sorted;
 }
 
-PairedBoundary sorted(const BoundaryFacets& boundary, const std::vector<std::uint32_t>& mate) {
-  const std::vector<std::uint32_t> place = sorted_places(boundary.triangles);
+/// Of no use if the context has been cancelled.
+PairedBoundary sorted(BoundaryFacets boundary, const UnsetVector<std::uint32_t>& mate,
+                      const Context& context) {
+  const std::size_t count = boundary.triangles.size();
+  const auto by_place = sorted_with_numbers(boundary.triangles, context);
+  boundary.triangles = {};
   PairedBoundary result;
-  result.triangles.resize(place.size());
-  result.facets.resize(place.size());
-  result.mate.resize(mate.size());
-  for (std::uint32_t t = 0; t < place.size(); ++t) {
-    result.triangles[place[t]] = boundary.triangles[t];
-    result.facets[place[t]] = boundary.facets[t];
-    for (std::uint32_t i = 0; i < 3; ++i) {
-      const std::uint32_t other = mate[3 * t + i];
-      result.mate[3 * place[t] + i] = 3 * place[other / 3] + other % 3;
+  if (context.cancelled()) return result;
+  result.triangles.resize(count), result.facets.resize(count), result.mate.resize(mate.size());
+  UnsetVector<std::uint32_t> place(count);
+  for_blocks(count, context, "gluing", [&](std::size_t first, std::size_t last) {
+    for (std::size_t k = first; k < last; ++k) {
+      const auto& [a, b, c, number] = by_place[k];
+      result.triangles[k] = {a, b, c};
+      result.facets[k] = boundary.facets[number];
+      place[number] = static_cast<std::uint32_t>(k);
     }
-  }
+  });
+  if (context.cancelled()) return result;
+  for_blocks(count, context, "gluing", [&](std::size_t first, std::size_t last) {
+    for (std::size_t k = first; k < last; ++k)
+      for (std::size_t i = 0; i < 3; ++i) {
+        const std::uint32_t other = mate[3 * std::size_t{by_place[k][3]} + i];
+        result.mate[3 * k + i] = 3 * place[other / 3] + other % 3;
+      }
+  });
   return result;
 }
 
@@ -270,23 +270,22 @@ void for_shared(const std::vector<Side>& sides, Visit visit) {
 /// Cuts the boundary apart; see the header for the rules.
 class Cutter {
  public:
-  Cutter(const PairedBoundary& boundary, bool with_tets)
+  Cutter(const PairedBoundary& boundary, bool with_tets, const Context& context)
       : triangles_(boundary.triangles),
         mate_(boundary.mate),
         facets_(with_tets ? &boundary.facets : nullptr),
-        copy_(mate_.size(), kNone) {}
+        context_(context),
+        copy_(all_none(mate_.size(), context)) {}
 
   GluedSurface run() {
-    make_copies();
+    if (context_.cancelled()) return {};
+    make_copies(find_umbrellas());
+    if (context_.cancelled()) return {};
     split_shared_edges();
-    surface_.triangles.reserve(triangles_.size());
-    for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
-      if (midpoint_.empty())
-        emit(copy_[3 * t], copy_[3 * t + 1], copy_[3 * t + 2]);
-      else
-        emit(t);
-      if (facets_) surface_.tets.resize(surface_.triangles.size(), (*facets_)[t] / 4);
-    }
+    if (midpoint_.empty())
+      emit_whole();
+    else
+      emit_divided();
     return std::move(surface_);
   }
 
@@ -297,57 +296,117 @@ class Cutter {
     friend auto operator<=>(const UmbrellaAt&, const UmbrellaAt&) = default;
   };
 
+  /// What is found at some vertices.
+  struct Found {
+    std::vector<Side> pinched;  ///< one of each pair, at edges with several
+    std::uint32_t pinched_edges = 0, pinched_vertices = 0;
+    std::vector<std::uint32_t> ends;  ///< of the spokes at one vertex
+  };
+
   std::uint32_t input_vertex(std::uint32_t corner) const { return triangles_[corner / 3][corner % 3]; }
 
-  /// Calls visit(corner) around the umbrella: the side that starts there is a spoke.
+  /// Calls visit(corner) around the umbrella, as long as it returns true: the side that starts there is a
+  /// spoke.
   template <class Visit>
-  void walk(std::uint32_t corner, Visit visit) {
+  bool walk_while(std::uint32_t corner, Visit visit) const {
     std::uint32_t c = corner;
     do {
-      visit(c);
+      if (!visit(c)) return false;
       c = next_corner(mate_[c]);
     } while (c != corner);
+    return true;
+  }
+  template <class Visit>
+  void walk(std::uint32_t corner, Visit visit) const {
+    walk_while(corner, [&](std::uint32_t c) { return visit(c), true; });
   }
 
-  std::vector<UmbrellaAt> find_umbrellas() {
+  /// Of those whose smallest corner is among first..last-1. What has been seen from a smaller corner on is
+  /// passed over, and a walk that meets one ends: nobody marks the smallest corner but a walk from there.
+  std::vector<UmbrellaAt> find_umbrellas_in(std::size_t first, std::size_t last) {
     constexpr std::uint32_t kSeen = 0;
+    std::vector<UmbrellaAt> found;
+    const auto at = [&](std::uint32_t corner) { return std::atomic_ref(copy_[corner]); };
+    for (auto c = static_cast<std::uint32_t>(first); c < last; ++c) {
+      if (at(c).load(std::memory_order_relaxed) == kSeen) continue;
+      const bool is_smallest = walk_while(c, [&](std::uint32_t corner) {
+        if (corner < c) return false;
+        at(corner).store(kSeen, std::memory_order_relaxed);
+        return true;
+      });
+      if (is_smallest) found.push_back({input_vertex(c), c});
+    }
+    return found;
+  }
+
+  /// In the order of (input vertex, corner).
+  std::vector<UmbrellaAt> find_umbrellas() {
+    std::vector<std::vector<UmbrellaAt>> found((mate_.size() + kBlock - 1) / kBlock);
+    for_blocks(mate_.size(), context_, "gluing", [&](std::size_t first, std::size_t last) {
+      found[first / kBlock] = find_umbrellas_in(first, last);
+    });
     std::vector<UmbrellaAt> umbrellas;
-    for (std::uint32_t c = 0; c < mate_.size(); ++c) {
-      if (copy_[c] == kSeen) continue;
-      umbrellas.push_back({input_vertex(c), c});
-      walk(c, [&](std::uint32_t corner) { copy_[corner] = kSeen; });
+    for (auto& list : found) {
+      umbrellas.insert(umbrellas.end(), list.begin(), list.end());
+      list = {};
     }
     sort_by_vertex(umbrellas, [](const UmbrellaAt& u) { return u.vertex; });
     return umbrellas;
   }
 
-  /// A vertex for each umbrella, in the order of (input vertex, its first corner). An edge of several wedges
-  /// has a spoke in each: it is met again from the same input vertex.
-  void make_copies() {
-    const std::vector<UmbrellaAt> umbrellas = find_umbrellas();
-    if (umbrellas.empty()) return;
-    std::vector<std::uint32_t> met_from(umbrellas.back().vertex + std::size_t{1}, kNone);
-    surface_.vertices.reserve(umbrellas.size());
-    for (std::size_t first = 0, last = 0; first < umbrellas.size(); first = last) {
-      const std::uint32_t v = umbrellas[first].vertex;
-      bool is_pinched = false;
-      for (; last < umbrellas.size() && umbrellas[last].vertex == v; ++last) {
-        surface_.vertices.push_back({v, kNone});
-        walk(umbrellas[last].corner, [&](std::uint32_t corner) {
-          copy_[corner] = static_cast<std::uint32_t>(last);
-          std::uint32_t& from = met_from[input_vertex(next_corner(corner))];
-          is_pinched |= from == v;
-          from = v;
-        });
+  /// A vertex for each umbrella.
+  void make_copies(const std::vector<UmbrellaAt>& umbrellas) {
+    surface_.vertices.resize(umbrellas.size());
+    std::vector<Found> found((umbrellas.size() + kBlock - 1) / kBlock);
+    for_blocks(umbrellas.size(), context_, "gluing", [&](std::size_t first, std::size_t last) {
+      // Those at one vertex go with the first of them.
+      const auto goes_on = [&](std::size_t u) {
+        return u > 0 && u < umbrellas.size() && umbrellas[u].vertex == umbrellas[u - 1].vertex;
+      };
+      for (std::size_t u = first, end = 0; u < last; u = end) {
+        for (end = u + 1; goes_on(end);) ++end;
+        if (u != first || !goes_on(u))
+          copy_vertex({umbrellas.data() + u, end - u}, static_cast<std::uint32_t>(u), found[first / kBlock]);
       }
-      surface_.copies += static_cast<std::uint32_t>(last - first - 1);
-      if (last - first > 1) ++surface_.pinched_vertices;
-      if (is_pinched) find_pinched({umbrellas.data() + first, last - first});
+    });
+    std::uint32_t points = 0;
+    for (std::size_t u = 0; u < umbrellas.size(); ++u)
+      points += u == 0 || umbrellas[u].vertex != umbrellas[u - 1].vertex ? 1U : 0U;
+    surface_.copies = static_cast<std::uint32_t>(umbrellas.size()) - points;
+    for (const Found& f : found) {
+      pinched_.insert(pinched_.end(), f.pinched.begin(), f.pinched.end());
+      surface_.pinched_edges += f.pinched_edges;
+      surface_.pinched_vertices += f.pinched_vertices;
     }
   }
 
+  /// The umbrellas at one input vertex become the vertices from `number` on. An edge of several wedges has a
+  /// spoke in each: it is met again.
+  void copy_vertex(std::span<const UmbrellaAt> umbrellas, std::uint32_t number, Found& found) {
+    found.ends.clear();
+    std::uint64_t met = 0;  // ends by their last bits
+    bool may_repeat = false;
+    for (const UmbrellaAt& u : umbrellas) {
+      surface_.vertices[number] = {u.vertex, kNone};
+      walk(u.corner, [&](std::uint32_t corner) {
+        copy_[corner] = number;
+        const std::uint32_t end = input_vertex(next_corner(corner));
+        found.ends.push_back(end);
+        const std::uint64_t bit = std::uint64_t{1} << (end % 64);
+        may_repeat |= (met & bit) != 0;
+        met |= bit;
+      });
+      ++number;
+    }
+    if (umbrellas.size() > 1) ++found.pinched_vertices;
+    if (!may_repeat) return;
+    std::sort(found.ends.begin(), found.ends.end());
+    if (std::adjacent_find(found.ends.begin(), found.ends.end()) != found.ends.end())
+      find_pinched(umbrellas, found);
+  }
+
   /// Counts edges from one input vertex to larger ones that have several pairs of sides, and lists the pairs.
-  void find_pinched(std::span<const UmbrellaAt> umbrellas) {
+  void find_pinched(std::span<const UmbrellaAt> umbrellas, Found& found) const {
     std::vector<Side> spokes;
     for (const UmbrellaAt& u : umbrellas)
       walk(u.corner, [&](std::uint32_t corner) {
@@ -356,8 +415,8 @@ class Cutter {
       });
     std::sort(spokes.begin(), spokes.end());
     for_shared(spokes, [&](std::size_t first, std::size_t last) {
-      ++surface_.pinched_edges;
-      for (std::size_t i = first; i < last; ++i) pinched_.push_back(spokes[i]);
+      ++found.pinched_edges;
+      for (std::size_t i = first; i < last; ++i) found.pinched.push_back(spokes[i]);
     });
   }
 
@@ -391,6 +450,25 @@ class Cutter {
     surface_.split_edges = static_cast<std::uint32_t>(split.size());
   }
 
+  void emit_whole() {
+    resize(surface_.triangles, triangles_.size(), context_);
+    surface_.tets.resize(facets_ ? triangles_.size() : 0);
+    for_blocks(triangles_.size(), context_, "gluing", [&](std::size_t first, std::size_t last) {
+      for (std::size_t t = first; t < last; ++t) {
+        surface_.triangles[t] = rotated({copy_[3 * t], copy_[3 * t + 1], copy_[3 * t + 2]});
+        if (facets_) surface_.tets[t] = (*facets_)[t] / 4;
+      }
+    });
+  }
+
+  void emit_divided() {
+    surface_.triangles.reserve(triangles_.size());
+    for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
+      emit(t);
+      if (facets_) surface_.tets.resize(surface_.triangles.size(), (*facets_)[t] / 4);
+    }
+  }
+
   /// The triangle, or its pieces: ears at corners between two split sides, then a fan from a midpoint. Each
   /// new side ends at a midpoint, which is of one wedge only: no piece meets another one by chance.
   void emit(std::uint32_t t) {
@@ -419,11 +497,12 @@ class Cutter {
     surface_.triangles.push_back(rotated({a, b, c}));
   }
 
-  const std::vector<Triple>& triangles_;
-  const std::vector<std::uint32_t>& mate_;
-  const std::vector<std::uint32_t>* facets_;  ///< null if nobody wants to know
+  const UnsetVector<Triple>& triangles_;
+  const UnsetVector<std::uint32_t>& mate_;
+  const UnsetVector<std::uint32_t>* facets_;  ///< null if nobody wants to know
+  const Context& context_;
   std::vector<Side> pinched_;            ///< at edges with several: one of each pair
-  std::vector<std::uint32_t> copy_;      ///< by corner: its vertex of the surface
+  UnsetVector<std::uint32_t> copy_;      ///< by corner: its vertex of the surface
   std::vector<std::uint32_t> midpoint_;  ///< by side; empty if there are none
   GluedSurface surface_;
 };
@@ -460,7 +539,8 @@ bool has_paired_sides(std::uint32_t vertex_count, std::span<const Triple> triang
 
 Result<PairedBoundary> pair_boundary(Tets tets, KnownFacets known, const Context& context) {
   if (tets.size() >= kBoundaryMark / 4) return failure(ErrorCode::too_large, "2^29 tetrahedra or more");
-  std::vector<std::uint32_t>& partner = known.partner;
+  if (context.cancelled()) return failure(ErrorCode::cancelled, "cancelled");
+  UnsetVector<std::uint32_t>& partner = known.partner;
   if (!known.loose.empty() && !FacetMatcher(tets, partner).run(vertices_of(tets, known.loose)))
     return failure(ErrorCode::internal, "tetrahedra overlap: they can't be glued");
   const auto good = self_check("gluing", [&] {
@@ -468,22 +548,27 @@ Result<PairedBoundary> pair_boundary(Tets tets, KnownFacets known, const Context
   });
   if (!good) return good.error();
   if (context.cancelled()) return failure(ErrorCode::cancelled, "cancelled");
-  const BoundaryFacets boundary = mark_boundary(tets, partner);
+  BoundaryFacets boundary = mark_boundary(tets, partner, context);
+  if (context.cancelled()) return failure(ErrorCode::cancelled, "cancelled");
   if (boundary.facets.size() >= kNone / 3) return failure(ErrorCode::too_large, "2^32 / 3 triangles or more");
-  const std::vector<std::uint32_t> mate = pair_sides(tets, partner, boundary, context);
+  const UnsetVector<std::uint32_t> mate = pair_sides(tets, partner, boundary, context);
   if (context.cancelled()) return failure(ErrorCode::cancelled, "cancelled");
   partner = {};
-  return sorted(boundary, mate);
+  PairedBoundary paired = sorted(std::move(boundary), mate, context);
+  if (context.cancelled()) return failure(ErrorCode::cancelled, "cancelled");
+  return paired;
 }
 
-GluedSurface cut_apart(const PairedBoundary& boundary, bool with_tets) {
-  return Cutter(boundary, with_tets).run();
+Result<GluedSurface> cut_apart(const PairedBoundary& boundary, const Context& context, bool with_tets) {
+  GluedSurface surface = Cutter(boundary, with_tets, context).run();
+  if (context.cancelled()) return failure(ErrorCode::cancelled, "cancelled");
+  return surface;
 }
 
 Result<GluedSurface> glue(Tets tets, KnownFacets known, const Context& context, bool with_tets) {
   const auto boundary = pair_boundary(tets, std::move(known), context);
   if (!boundary) return boundary.error();
-  return cut_apart(*boundary, with_tets);
+  return cut_apart(*boundary, context, with_tets);
 }
 
 Result<GluedSurface> glue(Tets tets, const Context& context) {

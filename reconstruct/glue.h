@@ -16,6 +16,7 @@
 #include "../geom/context.h"
 #include "../geom/ids.h"
 #include "../geom/result.h"
+#include "../geom/unset_vector.h"
 
 namespace crossloft {
 
@@ -50,7 +51,7 @@ Result<GluedSurface> glue(std::span<const std::array<std::uint32_t, 4>> tets, co
 /// What is known before: the triangulations of the cells say what is next to what.
 struct KnownFacets {
   /// By facet, that is by 4 * tetrahedron + slot: the facet glued to it, else kNone.
-  std::vector<std::uint32_t> partner;
+  UnsetVector<std::uint32_t> partner;
   /// Tetrahedra whose facets may match others although `partner` does not say so.
   std::vector<std::uint32_t> loose;
 };
@@ -64,15 +65,16 @@ Result<GluedSurface> glue(std::span<const std::array<std::uint32_t, 4>> tets, Kn
 /// from corner i of triangle t to the next one, and mate[side] is the side across its edge, through the
 /// solid.
 struct PairedBoundary {
-  std::vector<std::array<std::uint32_t, 3>> triangles;
-  std::vector<std::uint32_t> facets;  ///< by triangle: 4 * its tetrahedron + slot
-  std::vector<std::uint32_t> mate;
+  UnsetVector<std::array<std::uint32_t, 3>> triangles;
+  UnsetVector<std::uint32_t> facets;  ///< by triangle: 4 * its tetrahedron + slot
+  UnsetVector<std::uint32_t> mate;
 };
 
 /// Both halves of glue(): between them the tetrahedra may go, which are most of the memory.
 Result<PairedBoundary> pair_boundary(std::span<const std::array<std::uint32_t, 4>> tets, KnownFacets known,
                                      const Context& context = {});
-GluedSurface cut_apart(const PairedBoundary& boundary, bool with_tets = false);
+Result<GluedSurface> cut_apart(const PairedBoundary& boundary, const Context& context = {},
+                               bool with_tets = false);
 
 /// True iff the triangles form a closed oriented 2-manifold on exactly the vertices 0..vertex_count-1: three
 /// different vertices each, every directed edge once and its reverse once, one cycle of triangles around each

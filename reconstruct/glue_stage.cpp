@@ -8,6 +8,7 @@
 #include "contacts.h"
 #include "flats.h"
 #include "mend.h"
+#include "resize.h"
 #include "section_confinement.h"
 #include "self_check.h"
 #include "window.h"
@@ -27,45 +28,66 @@ struct Anywhere : Confinement {
 
 }  // namespace
 
-/// Two cells meet in the triangles of their common face, each of which has a facet on either side. Cells keep
-/// what they know of their facets, and where their tetrahedra are: they may have to have them back.
-SolidInCells Pipeline::take_solid() {
+/// Places of all tetrahedra: of each cell, then of its bridges, which are loose.
+SolidInCells Pipeline::make_room() {
   SolidInCells solid;
-  std::size_t count = 0, triangles = 0;
-  for (const CellState& cell : cells_) count += cell.tets.size() + cell.bridge_tets.size();
-  solid.tets.reserve(count);
-  solid.known.partner.reserve(4 * count);
+  std::uint32_t next = 0;
+  for (CellState& cell : cells_) {
+    cell.first_tet = next;
+    cell.tet_count = static_cast<std::uint32_t>(cell.tets.size());
+    next += cell.tet_count;
+    for (std::size_t k = 0; k < cell.bridge_tets.size(); ++k) solid.known.loose.push_back(next++);
+  }
+  resize(solid.tets, next, context_);
+  solid.known.partner.resize(4 * std::size_t{next});
+  return solid;
+}
+
+/// Two cells meet in the triangles of their common face, each of which has a facet on either side: the cell
+/// that comes first leaves word which one is its. Cells keep what they know of their facets, and where their
+/// tetrahedra are: they may have to have them back.
+SolidInCells Pipeline::take_solid() {
+  SolidInCells solid = make_room();
+  std::size_t triangles = 0;
   std::vector<std::size_t> begin;  // by face: number of its first triangle
   for (const FaceTriangulation& face : faces_) {
     begin.push_back(triangles);
     triangles += face.triangles.size();
   }
-  std::vector<std::uint32_t> first(triangles, kNone);  // by triangle: the facet on it that came first
-  for (std::uint32_t c = 0; c < cells_.size(); ++c) {
-    CellState& cell = cells_[c];
-    cell.first_tet = static_cast<std::uint32_t>(solid.tets.size());
-    cell.tet_count = static_cast<std::uint32_t>(cell.tets.size());
-    const std::uint32_t base = 4 * cell.first_tet;
-    solid.tets.insert(solid.tets.end(), cell.tets.begin(), cell.tets.end());
-    cell.tets = {};
-    solid.known.partner.resize(4 * solid.tets.size(), kNone);
-    std::uint32_t* partner = solid.known.partner.data() + base;
-    for (const auto& facets : cell.partners)
-      for (const std::uint32_t f : facets) *partner++ = f == kNone ? kNone : base + f;
+  std::vector<std::uint32_t> first(triangles, kNone);  // by triangle: the facet on it in the first cell
+  const auto for_feet = [&](std::uint32_t c, bool in_first, const auto& use) {
+    const CellState& cell = cells_[c];
     const std::vector<FaceId> ids = inner_faces(CellId{c});
     for (std::size_t i = 0; i < cell.feet.size(); ++i) {
-      std::uint32_t& other = first[begin[ids[cell.ground[i].face].value] + cell.ground[i].triangle];
-      const std::uint32_t here = base + cell.feet[i];
+      const FaceId face = ids[cell.ground[i].face];
+      const auto& cells = arrangement_->cells_of(face);
+      if ((std::min(cells[0].value, cells[1].value) == c) == in_first)
+        use(first[begin[face.value] + cell.ground[i].triangle], 4 * cell.first_tet + cell.feet[i]);
+    }
+  };
+  parallel_for(cells_.size(), context_, "gluing", [&](std::size_t c) {
+    cells_[c].move_to(solid);
+    for_feet(static_cast<std::uint32_t>(c), true,
+             [](std::uint32_t& other, std::uint32_t here) { other = here; });
+  });
+  parallel_for(cells_.size(), context_, "gluing", [&](std::size_t c) {
+    for_feet(static_cast<std::uint32_t>(c), false, [&](std::uint32_t other, std::uint32_t here) {
       if (other != kNone) solid.known.partner[here] = other, solid.known.partner[other] = here;
-      other = here;
-    }
-    for (const auto& tet : cell.bridge_tets) {
-      solid.known.loose.push_back(static_cast<std::uint32_t>(solid.tets.size()));
-      solid.tets.push_back(tet);
-    }
-    solid.known.partner.resize(4 * solid.tets.size(), kNone);
-  }
+    });
+  });
   return solid;
+}
+
+/// With its bridges. Facets on faces are left to the solid.
+void CellState::move_to(SolidInCells& solid) {
+  const auto to = std::copy(tets.begin(), tets.end(), solid.tets.begin() + first_tet);
+  std::copy(bridge_tets.begin(), bridge_tets.end(), to);
+  tets = {};
+  const std::uint32_t base = 4 * first_tet;
+  std::uint32_t* partner = solid.known.partner.data() + base;
+  for (const auto& facets : partners)
+    for (const std::uint32_t f : facets) *partner++ = f == kNone ? kNone : base + f;
+  std::fill_n(partner, 4 * bridge_tets.size(), kNone);
 }
 
 /// Cells that have been pruned again have theirs already.
@@ -89,17 +111,19 @@ Result<Done> Pipeline::glue_cells() {
   sort_tets(tets_, numbering_.points.size(), context_);
   if (context_.cancelled()) return cancelled();
   if (observer_) observer_->on_solid(tets_, numbering_);
-  result_.solid = assemble_solid(std::move(tets_), numbering_, framed_.grid);
+  result_.solid = assemble_solid(std::move(tets_), numbering_, framed_.grid, context_);
+  if (context_.cancelled()) return cancelled();
   const GluedSurface* const glued = glued_.get();
   const auto good = self_check("gluing", [&] {
     const auto count = static_cast<std::uint32_t>(glued->vertices.size());
     return verify_surface(count, glued->triangles) ? "" : "the surface is not a manifold";
   });
   if (!good) return good.error();
-  result_.surface = assemble_surface(*glued, numbering_, framed_.grid);
+  result_.surface = assemble_surface(*glued_, numbering_, framed_.grid, context_);
+  if (context_.cancelled()) return cancelled();
   Report& report = result_.report;
   // Where all of the solid is thinner than doubles tell it may come out negative.
-  report.volume = std::max(0.0, enclosed_volume(result_.surface));
+  report.volume = std::max(0.0, enclosed_volume(result_.surface, context_));
   mend(*glued);
   if (context_.cancelled()) return cancelled();
   report.pinched_vertices = glued->pinched_vertices;
@@ -110,6 +134,7 @@ Result<Done> Pipeline::glue_cells() {
   report.surface_triangles = static_cast<std::uint32_t>(result_.surface.triangles.size());
   report.surface_vertices = static_cast<std::uint32_t>(result_.surface.points.size());
   report_planes();
+  if (context_.cancelled()) return cancelled();
   report.seconds.gluing = watch_.lap();
   separate(*glued);
   if (context_.cancelled()) return cancelled();
@@ -120,13 +145,17 @@ Result<Done> Pipeline::glue_cells() {
 /// Rounded may be points of lines, midpoints, and all where the grid is finer than doubles; exact are those
 /// points of planes whose doubles are their very places.
 Rounding Pipeline::rounding(const GluedSurface& glued) const {
-  Rounding rounding;
   const bool all = framed_.grid.exact();
-  for (const SurfaceVertex& v : glued.vertices) {
-    const bool is_explicit = !v.is_midpoint() && numbering_.points[v.a].is_explicit();
-    rounding.rounded.push_back(is_explicit && all ? 0 : 1);
-    rounding.exact.push_back(is_explicit && framed_.grid.exact_at(numbering_.points[v.a]) ? 1 : 0);
-  }
+  const std::size_t count = glued.vertices.size();
+  Rounding rounding{std::vector<std::uint8_t>(count), std::vector<std::uint8_t>(count)};
+  for_blocks(count, context_, "gluing", [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      const SurfaceVertex& v = glued.vertices[i];
+      const bool is_explicit = !v.is_midpoint() && numbering_.points[v.a].is_explicit();
+      rounding.rounded[i] = is_explicit && all ? 0 : 1;
+      rounding.exact[i] = is_explicit && framed_.grid.exact_at(numbering_.points[v.a]) ? 1 : 0;
+    }
+  });
   return rounding;
 }
 
@@ -180,9 +209,9 @@ void Pipeline::separate(const GluedSurface& glued) {
 void Pipeline::report_planes() {
   Report& report = result_.report;
   const std::size_t planes = graph_.planes.size();
-  const auto areas = measure_flats(faces_, numbering_, framed_.grid, planes);
-  const auto flat = count_regions(faces_, numbering_, planes,
-                                  [&](std::size_t f, std::size_t t) { return faces_[f].is_flat(t); });
+  const auto areas = measure_flats(faces_, numbering_, framed_.grid, planes, context_);
+  const auto is_flat = [&](std::size_t f, std::size_t t) { return faces_[f].is_flat(t); };
+  const auto flat = count_regions(faces_, numbering_, planes, is_flat, context_);
   for (std::size_t p = 0; p < planes; ++p) {
     const FramedPlane& plane = framed_.planes[p];
     PlaneReport out;

@@ -36,6 +36,7 @@ class Mender {
         context_(context) {}
 
   Mending run() {
+    if (std::find(rounded_.begin(), rounded_.end(), std::uint8_t{1}) == rounded_.end()) return result_;
     std::vector<Pair> bad = find_bad();
     result_.found = result_.left = bad.size();
     if (bad.empty()) return result_;

@@ -73,6 +73,12 @@ struct CellInHand {
   std::vector<Vec3> places;  ///< of points inside that it waits for
 };
 
+/// The tetrahedra of all cells and what the cells know of their facets.
+struct SolidInCells {
+  std::vector<std::array<std::uint32_t, 4>> tets;
+  KnownFacets known;
+};
+
 /// A cell while it is worked on, and what it leaves behind.
 struct CellState {
   std::unique_ptr<CellTriangulation> triangulation;  ///< kept only while points may come
@@ -104,12 +110,7 @@ struct CellState {
 
   void renumber(std::span<const std::uint32_t> number);
   void begin_anew();
-};
-
-/// The tetrahedra of all cells and what the cells know of their facets.
-struct SolidInCells {
-  std::vector<std::array<std::uint32_t, 4>> tets;
-  KnownFacets known;
+  void move_to(SolidInCells& solid);
 };
 
 /// run() goes through the stages in the order they are declared.
@@ -149,6 +150,7 @@ class Pipeline {
   void take_roofs(std::vector<CellRoofs> roofs);
   // glue_stage.cpp
   Result<Done> glue_cells();
+  SolidInCells make_room();
   SolidInCells take_solid();
   void give_tets_back();
   // window.cpp

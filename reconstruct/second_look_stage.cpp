@@ -83,10 +83,11 @@ class SurfacePieces {
       sets_.join(t[0], t[1]);
       sets_.join(t[0], t[2]);
     }
-    measure();
   }
 
-  std::size_t count() const { return pieces_.size(); }
+  std::uint32_t count() const { return sets_.count(); }
+  /// What follows takes that.
+  void measure();
   std::vector<Piece> take() { return std::move(pieces_); }
 
   /// The facets of a boundary that has been cut apart to this surface, by number; those with midpoints are
@@ -131,31 +132,31 @@ class SurfacePieces {
     return 0.5 * Vec3{p.x + q.x, p.y + q.y, p.z + q.z};
   }
 
-  /// Volumes from a point of each component: nothing small is lost against a distance from afar.
-  void measure() {
-    std::vector<double> volume(surface_.vertices.size(), 0);
-    for (const auto& t : surface_.triangles) {
-      const std::uint32_t root = sets_.find(t[0]);
-      const Vec3 o = place(root);
-      volume[root] += dot(place(t[0]) - o, cross(place(t[1]) - o, place(t[2]) - o));
-    }
-    std::uint32_t largest = 0;
-    for (std::uint32_t v = 0; v < volume.size(); ++v)
-      if (std::fabs(volume[v]) > std::fabs(volume[largest])) largest = v;
-    number_.assign(volume.size(), kNone);
-    for (std::uint32_t v = 0; v < volume.size(); ++v) {
-      if (!sets_.is_root(v)) continue;
-      number_[v] = static_cast<std::uint32_t>(pieces_.size());
-      pieces_.push_back({volume[v] < 0 && v != largest, v == largest, {}, {}});
-    }
-  }
-
   const GluedSurface& surface_;
   const std::vector<LatticePoint>& points_;
   DisjointSets sets_;
   std::vector<std::uint32_t> number_;  ///< by vertex that is its component's smallest
   std::vector<Piece> pieces_;
 };
+
+/// Volumes from a point of each component: nothing small is lost against a distance from afar.
+void SurfacePieces::measure() {
+  std::vector<double> volume(surface_.vertices.size(), 0);
+  for (const auto& t : surface_.triangles) {
+    const std::uint32_t root = sets_.find(t[0]);
+    const Vec3 o = place(root);
+    volume[root] += dot(place(t[0]) - o, cross(place(t[1]) - o, place(t[2]) - o));
+  }
+  std::uint32_t largest = 0;
+  for (std::uint32_t v = 0; v < volume.size(); ++v)
+    if (std::fabs(volume[v]) > std::fabs(volume[largest])) largest = v;
+  number_.assign(volume.size(), kNone);
+  for (std::uint32_t v = 0; v < volume.size(); ++v) {
+    if (!sets_.is_root(v)) continue;
+    number_[v] = static_cast<std::uint32_t>(pieces_.size());
+    pieces_.push_back({volume[v] < 0 && v != largest, v == largest, {}, {}});
+  }
+}
 
 /// False if the only body of the solid is surely not, as mostly: a few cells, on one face in each.
 bool may_be_alone(std::span<const CellState> cells) {
@@ -389,9 +390,12 @@ Result<std::vector<Piece>> Pipeline::find_pieces() {
   if (tets_.empty()) return std::vector<Piece>{};
   const auto boundary = pair_boundary(tets_, std::move(solid.known), context_);
   if (!boundary) return boundary.error();
-  glued_ = std::make_unique<GluedSurface>(cut_apart(*boundary, window_ != nullptr));
+  auto surface = cut_apart(*boundary, context_, window_ != nullptr);
+  if (!surface) return surface.error();
+  glued_ = std::make_unique<GluedSurface>(std::move(surface).value());
   SurfacePieces found(*glued_, numbering_.points);
   if (found.count() == 1 && !may_be_alone(cells_)) return std::vector<Piece>{};
+  found.measure();
   std::vector<PieceFacet> facets = found.facets(*boundary, CellOfTet(cells_));
   std::vector<Piece> pieces = found.take();
   find_cells(cells_, tets_, facets, pieces);

@@ -129,9 +129,10 @@ Result<Done> Pipeline::thicken() {
     if (!roofs) return roofs.error();
     take_roofs(std::move(roofs).value());
   }
-  thickened_ = count_regions(faces_, numbering_, graph_.planes.size(), [&](std::size_t f, std::size_t t) {
+  const auto has_plate = [&](std::size_t f, std::size_t t) {
     return was_flat[f][t] != 0 && !faces_[f].is_flat(t);
-  });
+  };
+  thickened_ = count_regions(faces_, numbering_, graph_.planes.size(), has_plate, context_);
   for (const CellState& cell : cells_)
     roof_tets_.insert(roof_tets_.end(), cell.roof_tets.begin(), cell.roof_tets.end());
   if (!roof_tets_.empty()) glued_.reset();

@@ -2,13 +2,16 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <new>
+#include <random>
 #include <stdexcept>
 #include <thread>
 #include <vector>
 
 #include "../../delaunay/in_parallel.h"
+#include "../../geom/parallel_sort.h"
 
 using namespace crossloft;
 
@@ -41,6 +44,35 @@ TEST_CASE("cancelled: false, and the rest is not begun") {
   });
   CHECK_FALSE(complete);
   CHECK(done < 100000);
+}
+
+TEST_CASE("what is kept is numbered in its order, for any number of threads") {
+  for (const unsigned threads : {1u, 2u, 7u})
+    for (const std::size_t count : {std::size_t{0}, std::size_t{1}, kBlock, 5 * kBlock + 7}) {
+      const auto is_kept = [](std::size_t i) { return i % 3 == 1 || i / kBlock == 2; };
+      std::vector<std::size_t> expected, kept;
+      for (std::size_t i = 0; i < count; ++i)
+        if (is_kept(i)) expected.push_back(i);
+      CHECK(number_kept(
+          count, with_threads(threads), "items", is_kept, [&](std::size_t size) { kept.resize(size); },
+          [&](std::size_t i, std::size_t number) { kept[number] = i; }));
+      CHECK(kept == expected);
+    }
+}
+
+TEST_CASE("long lists are sorted by any number of threads") {
+  std::mt19937 random(1);
+  for (const std::size_t count : {std::size_t{0}, std::size_t{10}, 20 * kBlock + 3, 50 * kBlock}) {
+    std::vector<std::uint64_t> items(count);
+    for (std::uint64_t i = 0; i < count; ++i) items[i] = std::uint64_t{random() % 1000} << 32 | i;
+    std::vector<std::uint64_t> expected = items;
+    std::sort(expected.begin(), expected.end());
+    for (const unsigned threads : {1u, 2u, 3u, 16u, 0u}) {
+      std::vector<std::uint64_t> sorted = items;
+      sort_in_parallel(sorted, with_threads(threads), "items", std::less<>());
+      CHECK(sorted == expected);
+    }
+  }
 }
 
 #ifndef CROSSLOFT_NO_EXCEPTIONS

@@ -5,11 +5,14 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cstdint>
 #include <map>
 #include <random>
 #include <set>
 #include <vector>
+
+#include "geom/parallel.h"
 
 namespace {
 
@@ -164,7 +167,7 @@ TEST_CASE("what is known of the facets does not change the surface") {
     std::vector<Tet> tets;
     for (const Tet& t : grid.tets)
       if (random() % 10 < 6) tets.push_back(t);
-    KnownFacets known{std::vector<std::uint32_t>(4 * tets.size(), kNone), {}};
+    KnownFacets known{UnsetVector<std::uint32_t>(4 * tets.size(), kNone), {}};
     std::vector<std::uint8_t> loose;
     for (std::uint32_t t = 0; t < tets.size(); ++t) {
       loose.push_back(random() % 10 < seed % 4 ? 1 : 0);
@@ -235,4 +238,35 @@ TEST_CASE("verify_surface names what is no closed oriented manifold") {
       7, std::vector<std::array<std::uint32_t, 3>>{
              {0, 1, 3}, {0, 2, 1}, {0, 3, 2}, {1, 2, 3}, {3, 4, 6}, {3, 5, 4}, {3, 6, 5}, {4, 5, 6}}));
   CHECK_FALSE(verify_surface(3, std::vector<std::array<std::uint32_t, 3>>{{0, 0, 1}, {0, 1, 0}}));
+}
+
+TEST_CASE("a boundary of many blocks is the same with any number of threads") {
+  const Grid grid(20);
+  std::mt19937 random(1);
+  std::vector<Tet> tets;
+  for (const Tet& t : grid.tets)
+    if (random() % 10 < 4) tets.push_back(t);
+  const GluedSurface surface = checked(tets);
+  REQUIRE(surface.triangles.size() > 4 * kBlock);
+  CHECK(surface.split_edges > 0);
+  CHECK(volume_8(grid.points, surface) == 8 * volume(grid.points, tets));
+  for (const unsigned threads : {2u, 7u}) {
+    Context context;
+    context.threads = threads;
+    const auto other = glue(tets, context);
+    REQUIRE(other.ok());
+    CHECK(same(surface, *other));
+    CHECK(other->pinched_edges == surface.pinched_edges);
+    CHECK(other->pinched_vertices == surface.pinched_vertices);
+    CHECK(other->copies == surface.copies);
+  }
+}
+
+TEST_CASE("a cancelled glue is no surface") {
+  const std::atomic<bool> cancel{true};
+  Context context;
+  context.cancel = &cancel;
+  const auto surface = glue(Grid(3).tets, context);
+  REQUIRE_FALSE(surface.ok());
+  CHECK(surface.error().code == ErrorCode::cancelled);
 }
