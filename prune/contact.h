@@ -27,6 +27,8 @@ struct Contact {
   bool is_join() const { return parts > 1 && loops == 0 && different_bodies() == parts; }
   /// By which adding the tetrahedron changes the Euler characteristic of the solid.
   int change() const { return loops + 1 - parts; }
+  /// Two disks in one body: it would get a handle.
+  bool is_handle() const { return parts == 2 && loops == 0 && different_bodies() == 1; }
   int different_bodies() const;
 };
 
@@ -46,6 +48,10 @@ class GrowingSolid {
   /// Tetrahedra outside the solid next to t, across facets and beyond the solid at edges between facets of
   /// the contact; one for each part of the outside there that is not at the section's end, or several.
   std::vector<std::uint32_t> outside_around(std::uint32_t t, const Contact& contact) const;
+  /// Which part of the solid within the star of vertex v is across facet i of t. REQUIRES: something is.
+  std::uint32_t part_across(std::uint32_t t, unsigned i, std::uint32_t v) {
+    return find(corners_, across(t, i, v));
+  }
   /// The body that ground triangle g is part of.
   std::uint32_t body_of_ground(std::uint32_t g) { return find(bodies_, g); }
 

@@ -50,7 +50,7 @@ std::vector<Crack> find_cracks(const CellComplex& complex, const std::vector<std
 
 /// The solid is as it was but for what is filled.
 bool is_as_good(const CellTopology& now, const CellTopology& before) {
-  return now.genus <= before.genus && now.voids <= before.voids && now.bodies == before.bodies &&
+  return now.genus == before.genus && now.voids <= before.voids && now.bodies == before.bodies &&
          now.outsides <= before.outsides;
 }
 
@@ -73,7 +73,7 @@ std::vector<std::uint8_t> touching_vertices(const CellComplex& complex, const Gr
 /// Sets of cracks are tried as a whole, then by halves where that is not good: few are bad.
 ///
 /// A set changes euler + curves of S by twice the sum of what its tetrahedra change in the solid
-/// (simple_growth.h), unless sections touch there. While the cell has no handle,
+/// (simple_growth.h), unless sections touch there. While the cell keeps its handles,
 ///     genus = components - (euler + curves) / 2 and components = bodies + outsides - 1
 /// leave a good set nothing but to change `outsides` by that sum. Parts of the outside never come together,
 /// and one vanishes only with all cracks that it consists of. So a sum above 0, or below what parts of cracks
@@ -183,7 +183,7 @@ class Refill {
         solid_.add(t);
       }
     if (bodies != 0) return false;
-    return touches || topology_.genus != 0 || (change <= 0 && change >= -closed);
+    return touches || (change <= 0 && change >= -closed);
   }
 
   const CellComplex& complex_;

@@ -14,6 +14,10 @@
 namespace crossloft {
 namespace {
 
+/// The sections ask for a handle in a cell where its ring is at least so sure and the hole through it is
+/// nowhere surer: near the sections all the way around, and near their outsides all the way through.
+constexpr double kRingConfidence = 0.05, kTunnelConfidence = -0.2;
+
 /// One cell on its way.
 class NaturalPruning {
  public:
@@ -121,8 +125,10 @@ class NaturalPruning {
     grow(result, limits);
   }
 
-  void grow(NaturalResult& result, const GrowthLimits& limits) const {
+  void grow(NaturalResult& result, GrowthLimits limits) {
     for (const OpenRequest& request : requests_.opened) drop_unsure(request, result.kept);
+    limits.handle = as_integer(kRingConfidence);
+    limits.may_fill = [&](std::uint32_t t) { return confidence_of(t) >= as_integer(kTunnelConfidence); };
     GrowingSolid solid(complex_, ground_);
     GrowthResult grown = grow_simply(complex_, ground_, result.kept, confidence_, limits, solid);
     result.report.after = refill_cracks(complex_, ground_, result.kept, solid);
@@ -134,6 +140,7 @@ class NaturalPruning {
     result.report.grown = true;
     result.report.joins = std::move(grown.joins);
     result.report.domes = std::move(grown.domes);
+    result.report.handles = grown.handles;
     result.report.opened = count_open(result.kept);
   }
 

@@ -17,7 +17,7 @@
 namespace crossloft {
 
 enum class PruneMode : std::uint8_t {
-  natural,        ///< the likely solid without handles of its own (natural.h)
+  natural,        ///< the likely solid without needless handles (natural.h)
   joint,          ///< the largest solid subset of R1
   paper,          ///< the largest solid set of two-plane tetrahedra, then Step 3 with the corrected condition
   paper_literal,  ///< Step 3 as printed, which may close on itself along an edge; for study

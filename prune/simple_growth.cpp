@@ -6,6 +6,7 @@
 
 #include "../geom/disjoint_sets.h"
 #include "contact.h"
+#include "open_loops.h"
 #include "outside.h"
 #include "star.h"
 
@@ -39,8 +40,10 @@ class SimpleGrowth {
     for (bool domes = false;;) {
       if (retry(domes)) {
         domes = false;
-      } else if (!domes) {
+      } else if (!domes && result_.handles == 0) {  // what looks like a dome may fill a handle
         domes = true;
+      } else if (add_handle()) {
+        domes = false;
       } else {
         break;
       }
@@ -159,6 +162,39 @@ class SimpleGrowth {
       }
     }
     return changed;
+  }
+
+  /// Tetrahedra sure enough to close a handle, the most confident first.
+  std::vector<std::uint32_t> handles_in_question() {
+    std::vector<std::uint32_t> list;
+    std::sort(put_off_.begin(), put_off_.end());
+    for (const std::uint32_t rank : put_off_) {
+      const std::uint32_t t = order_[rank];
+      if (confidence_[t] >= limits_.handle && !solid_.has(t) && solid_.contact(t).is_handle())
+        list.push_back(t);
+    }
+    std::stable_sort(list.begin(), list.end(),
+                     [&](std::uint32_t a, std::uint32_t b) { return confidence_[a] > confidence_[b]; });
+    return list;
+  }
+
+  /// Closes the surest loop that nothing fills and goes on from there; false if there is none.
+  bool add_handle() {
+    if (!limits_.may_fill) return false;
+    const std::vector<std::uint32_t> list = handles_in_question();
+    if (list.empty()) return false;
+    std::vector<std::uint8_t> wider = solid_.kept();
+    for (std::uint32_t t = 0; t < wider.size(); ++t)
+      if (wider[t] == 0 && limits_.may_fill(t)) wider[t] = 1;
+    const OpenLoops loops(complex_, ground_, solid_, wider);
+    for (const std::uint32_t t : list) {
+      if (!loops.is_closed_by(t, solid_.contact(t)) || (!open_.empty() && parts_what_stays_open(t))) continue;
+      add(t);
+      grow();
+      ++result_.handles;
+      return true;
+    }
+    return false;
   }
 
   /// The different bodies in a contact by their names, one for each of its parts. REQUIRES: it is a

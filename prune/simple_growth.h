@@ -13,12 +13,14 @@
 ///     Not done where that part would be a void in the cell, nor over a hole in one section unless confident
 ///     enough; walls between wider parts of the outside are.
 ///   - plug (k = 1, b < 0): all of t is in contact and fills the last of a void.
-///   - loop (the rest): would make a handle; not done.
+///   - loop (the rest): would make a handle; not done, but where the sections ask for one.
 /// So the surface of the cell keeps genus 0 (cell_topology.h), whatever tetrahedra are allowed and in
-/// whatever order. The order decides which joins and domes come about: most confident first, so that the
-/// tetrahedron that joins two bodies is the bottleneck of the best way between them.
+/// whatever order, but for the handles asked for. The order decides which joins and domes come about: most
+/// confident first, so that the tetrahedron that joins two bodies is the bottleneck of the best way between
+/// them.
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -47,12 +49,17 @@ struct GrowthLimits {
   std::int32_t dome = 0;  ///< and a dome
   std::span<const JoinWish> wishes = {};
   std::span<const OpenRequest> open = {};
+  std::int32_t handle = 0;  ///< confidence that a handle needs
+  /// Whether a tetrahedron, an external one too, may be solid after all. A loop that such ones fill
+  /// (open_loops.h) is a gap and no handle. Nothing: no handles.
+  std::function<bool(std::uint32_t)> may_fill = {};
 };
 
 struct GrowthResult {
   std::vector<std::uint8_t> kept;
   std::vector<Join> joins;          ///< in the order of growth; then those refused, the best of each pair
   std::vector<std::int32_t> domes;  ///< confidences, in the order of growth
+  std::uint32_t handles = 0;        ///< that the sections ask for
 };
 
 /// Grows over the tetrahedra with allowed[t] != 0. Tetrahedra of equal confidence go by their sorted

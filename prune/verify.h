@@ -15,8 +15,8 @@ bool verify(const CellComplex& complex);
 bool verify(const CellComplex& complex, const PruneResult& result);
 
 /// The same for the mode `natural`: the counts fit, no kept tetrahedron is external, the topology counted
-/// anew is the one reported, and the solid has no handle, no hole and no body that is on no section. O(n log
-/// n).
+/// anew is the one reported, and the solid has no handle but those asked for, no hole and no body that is on
+/// no section. O(n log n).
 bool verify_natural(const CellComplex& complex, const PruneResult& result);
 
 }  // namespace crossloft

@@ -59,7 +59,7 @@ struct StageSeconds {
 
 /// Sums over the cells.
 struct TopologyReport {
-  std::uint32_t handles = 0;         ///< genus of cells: handles that the sections do not ask for
+  std::uint32_t handles = 0;  ///< genus of cells: mode natural only makes those that the sections ask for
   std::uint32_t handles_before = 0;  ///< the same before growth took them out
   std::uint32_t grown_cells = 0;
   std::uint32_t bodies_joined = 0;  ///< small ones that nothing was joined with in any cell

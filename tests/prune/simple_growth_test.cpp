@@ -155,6 +155,35 @@ TEST_CASE("random cells: no handle and no void, whatever is allowed and however 
   CHECK(refused > 50);
 }
 
+TEST_CASE(
+    "random cells: the genus is the number of handles that the sections ask for, and nothing fills them") {
+  std::size_t handles = 0, none = 0;
+  for (std::uint32_t seed = 0; seed < 1200; ++seed) {
+    CAPTURE(seed);
+    Trial trial(seed, any_cell(seed));
+    const Flags allowed = random_subset(without_external_facet(trial.cell), trial.random);
+    Flags wider(allowed.size());
+    const std::uint32_t share = trial.random() % 100;
+    for (std::uint8_t& x : wider) x = trial.random() % 100 < share ? 1 : 0;
+    GrowthLimits limits{-4, -4, {}, {}, -2, [&](std::uint32_t t) { return wider[t] != 0; }};
+    const GrowthResult result = trial.grow(allowed, limits);
+    const BruteSolid::Counts counts = trial.brute.count(result.kept);
+    CHECK(counts.genus <= result.handles);
+    if (has_no_touching_sections(trial.brute)) CHECK(counts.genus == result.handles);
+    CHECK(counts.voids == 0);
+    handles += result.handles;
+    // Where all may be filled no ring is open: a cell is a ball.
+    limits.may_fill = [](std::uint32_t) { return true; };
+    none += trial.grow(allowed, limits).handles;
+    limits.handle = kHigh;
+    limits.may_fill = [](std::uint32_t) { return false; };
+    none += trial.grow(allowed, limits).handles;
+  }
+  MESSAGE("handles " << handles);
+  CHECK(handles > 10);
+  CHECK(none == 0);
+}
+
 TEST_CASE("a dome must not close in what hangs on the outside at an edge only") {
   // What is not allowed here are single tetrahedra within; growth once closed some in at their last open
   // edge.

@@ -47,7 +47,60 @@ Sections two_columns(double gap) {
   return sections;
 }
 
+/// In two planes a square ring with a slit: below on the right side, above on the left one or the same one.
+Sections two_slit_rings(double height, bool opposite) {
+  Sections sections;
+  for (const double z : {0.0, height}) {
+    PlaneSection plane;
+    plane.normal = {0, 0, 1};
+    plane.offset = -z;
+    const double side = z > 0 && opposite ? -1 : 1;
+    for (const auto& [x, y] : {std::pair{3.0, -0.5},
+                               {1.0, -0.5},
+                               {1.0, -1.0},
+                               {-1.0, -1.0},
+                               {-1.0, 1.0},
+                               {1.0, 1.0},
+                               {1.0, 0.5},
+                               {3.0, 0.5},
+                               {3.0, 3.0},
+                               {-3.0, 3.0},
+                               {-3.0, -3.0},
+                               {3.0, -3.0}})
+      plane.vertices.push_back({side * x, y, z});
+    for (std::uint32_t i = 0; i < 12; ++i) plane.edges.push_back({i, (i + 1) % 12});
+    sections.planes.push_back(plane);
+  }
+  return sections;
+}
+
 }  // namespace
+
+TEST_CASE(
+    "two rings that are slit on opposite sides ask for a handle between two planes, on the same side not") {
+  for (const bool opposite : {true, false}) {
+    CAPTURE(opposite);
+    const auto r = reconstruct(two_slit_rings(0.5, opposite));
+    REQUIRE(r.ok());
+    CHECK(check_surface(r->surface).good_topology());
+    CHECK(check_surface(r->surface).genus == (opposite ? 1 : 0));
+    CHECK(r->report.topology.handles == (opposite ? 1U : 0U));
+  }
+  const auto far = reconstruct(two_slit_rings(8, true));  // nothing is sure of this ring
+  REQUIRE(far.ok());
+  CHECK(far->report.topology.handles == 0);
+}
+
+TEST_CASE("a stack across a tilted torus: between two planes the ring closes that neither has") {
+  const Surface mesh = torus(1, 0.4, 96, 48);
+  const Vec3 direction = random_planes(bounds_of(mesh.points), 1, 7)[0].normal;
+  for (const std::uint32_t count : {10U, 16U}) {
+    CAPTURE(count);
+    const Reconstruction r = cut_and_rebuild(mesh, parallel_planes(bounds_of(mesh.points), count, direction));
+    CHECK(check_surface(r.surface).genus == 1);
+    CHECK(r.report.topology.handles == 1);
+  }
+}
 
 TEST_CASE("a torus by ten to forty-five planes is a torus, whatever joint makes of it") {
   const Surface mesh = torus(1, 0.4, 80, 40);
