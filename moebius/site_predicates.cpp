@@ -127,7 +127,8 @@ SitePredicates::SitePredicates(std::span<const MoebiusSite> sites) : sites_(site
     const Vec2 half = 0.5 * s.p - 0.5 * sites[0].p;  // halves do not overflow
     extent_ = std::max(extent_, std::max(std::abs(half.x), std::abs(half.y)));
   }
-  if (sum > 0) usual_lambda_ = sum / static_cast<double>(sites.size());
+  const double mean = sum / static_cast<double>(sites.size());
+  if (mean > 0) usual_lambda_ = mean;  // subnormal ones may leave 0, and 0/0 is no coordinate
 }
 
 /// `polynomial(row)` with row(m, base) in the ring of the first stage that is certain.

@@ -1,6 +1,8 @@
 #include <doctest/doctest.h>
 #include <gmpxx.h>
 
+#include <cmath>
+#include <limits>
 #include <random>
 #include <vector>
 
@@ -147,6 +149,18 @@ TEST_CASE("predicates where all positions are on one plane or line") {
         (lifted_along[2].at[0] - lifted_along[0].at[0]) / (lifted_along[1].at[0] - lifted_along[0].at[0]);
     const mpq_class line = lifted_along[0].height + t * (lifted_along[1].height - lifted_along[0].height);
     CHECK(q.power_test1d(0, 1, 2) == sgn(mpq_class(line - lifted_along[2].height)));
+  }
+}
+
+TEST_CASE("coordinates order the sites, whatever their sizes") {
+  constexpr double tiny = std::numeric_limits<double>::denorm_min(),
+                   huge = std::numeric_limits<double>::max();
+  const Sites subnormal{{{0, 0}, 0, 0}, {{0, 2}, tiny, 1}};  // the mean lambda vanishes
+  const Sites large{{{-huge, 0}, huge, 0}, {{huge, 2}, huge, 1}, {{0, 0}, 0, 0}};
+  for (const Sites& sites : {subnormal, large, Sites{{{1, 2}, 0, 0}}}) {
+    const SitePredicates p(sites);
+    for (std::uint32_t i = 0; i < p.size(); ++i)
+      for (int axis = 0; axis < 3; ++axis) CHECK(std::isfinite(p.coordinate(i, axis)));
   }
 }
 
