@@ -60,6 +60,7 @@ Json to_json(const CellReport& c) {
           {"voids", c.topology.voids},
           {"handles", c.topology.genus},
           {"handles_before", c.genus_before},
+          {"handles_asked", c.handles_asked},
           {"bare_triangles", c.topology.bare},
           {"grown", c.grown},
           {"joins", to_json(c.joins)},
@@ -69,6 +70,7 @@ Json to_json(const CellReport& c) {
 Json to_json(const TopologyReport& t) {
   return {{"handles", t.handles},
           {"handles_before", t.handles_before},
+          {"handles_asked", t.handles_asked},
           {"grown_cells", t.grown_cells},
           {"joins", t.joins},
           {"refused_joins", t.refused_joins},

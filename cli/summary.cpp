@@ -5,7 +5,8 @@ namespace {
 
 void print_topology(Terminal& terminal, const TopologyReport& t) {
   if (t.handles_before != 0 || t.handles != 0)
-    terminal.print("handles      %u within cells, %u left\n", t.handles_before, t.handles);
+    terminal.print("handles      %u within cells, %u left%s\n", t.handles_before, t.handles,
+                   t.handles_asked != 0 ? ", which the sections ask for" : "");
   if (t.joins != 0)
     terminal.print("joins        %u of sections within cells, the weakest with confidence %.2f\n", t.joins,
                    t.weakest_join);

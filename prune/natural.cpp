@@ -128,7 +128,8 @@ class NaturalPruning {
   void grow(NaturalResult& result, GrowthLimits limits) {
     for (const OpenRequest& request : requests_.opened) drop_unsure(request, result.kept);
     limits.handle = as_integer(kRingConfidence);
-    limits.may_fill = [&](std::uint32_t t) { return confidence_of(t) >= as_integer(kTunnelConfidence); };
+    if (requests_.handles)
+      limits.may_fill = [&](std::uint32_t t) { return confidence_of(t) >= as_integer(kTunnelConfidence); };
     GrowingSolid solid(complex_, ground_);
     GrowthResult grown = grow_simply(complex_, ground_, result.kept, confidence_, limits, solid);
     result.report.after = refill_cracks(complex_, ground_, result.kept, solid);

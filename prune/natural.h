@@ -54,6 +54,7 @@ struct CellRequests {
   std::vector<JoinWish> wishes;
   std::vector<TetName> joined;  ///< bodies to be joined with what they most likely belong to
   std::vector<OpenRequest> opened;
+  bool handles = true;  ///< those that the sections ask for may come
 };
 
 struct NaturalResult {

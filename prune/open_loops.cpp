@@ -10,9 +10,10 @@
 
 namespace crossloft {
 
-OpenLoops::OpenLoops(const CellComplex& complex, const Ground& ground, GrowingSolid& solid,
+OpenLoops::OpenLoops(const CellComplex& complex, const Ground& ground, GrowingSolid solid,
                      const std::vector<std::uint8_t>& wider)
-    : complex_(complex), ground_(ground), solid_(solid), wider_(wider) {
+    : complex_(complex), ground_(ground), solid_(std::move(solid)), wider_(wider) {
+  fill();
   number_facets();
   std::vector<std::vector<std::uint32_t>> stars(complex.vertex_count);
   for (std::uint32_t t = 0; t < complex.mesh.size(); ++t)
@@ -20,6 +21,32 @@ OpenLoops::OpenLoops(const CellComplex& complex, const Ground& ground, GrowingSo
       for (const std::uint32_t v : complex.mesh.vertices[t]) stars[v].push_back(t);
   for (std::uint32_t v = 0; v < complex.vertex_count; ++v) add_ways(steps_at(v, stars[v]));
   solve();
+}
+
+/// With K + t in the place of K the classes are taken modulo H1(t, contact), which is 0 if the contact has
+/// one part. If its parts are in different bodies, the class of a way through t from one to the other goes:
+/// it joins bodies, so it is none of those asked for. The order tells what is left, not which classes are 0.
+void OpenLoops::fill() {
+  std::vector<std::uint32_t> stack;
+  const auto grow_from = [&](std::uint32_t start) {
+    stack.push_back(start);
+    while (!stack.empty()) {
+      const std::uint32_t t = stack.back();
+      stack.pop_back();
+      if (!is_beside(t)) continue;
+      const Contact contact = solid_.contact(t);
+      if (contact.facets == 0 || contact.parts != contact.different_bodies()) continue;
+      solid_.add(t);
+      for (const std::uint32_t n : complex_.mesh.neighbours[t])
+        if (n != kNone) stack.push_back(n);
+    }
+    return solid_.has(start);
+  };
+  // What comes to an edge or a vertex alone may change a contact as well: until nothing does.
+  for (bool some = true; some;) {
+    some = false;
+    for (std::uint32_t t = 0; t < complex_.mesh.size(); ++t) some |= is_beside(t) && grow_from(t);
+  }
 }
 
 bool OpenLoops::leads_to_solid(std::uint32_t t, unsigned i) const {
@@ -130,6 +157,7 @@ void OpenLoops::solve() {
 }
 
 bool OpenLoops::is_closed_by(std::uint32_t t, const Contact& contact) const {
+  if (solid_.has(t)) return false;
   const auto value = [&](unsigned i) {
     const std::uint32_t u = unknown_[4 * t + i];
     return u == kNone ? Row{} : values_[u];

@@ -18,9 +18,10 @@ namespace crossloft {
 /// (cell_topology.h cuts S apart by umbrellas).
 class OpenLoops {
  public:
-  /// A row of equations for each facet of Y beside K that closes a way in a star, and their elimination:
-  /// expected O(n). REQUIRES: `wider` contains K.
-  OpenLoops(const CellComplex& complex, const Ground& ground, GrowingSolid& solid,
+  /// `solid` is K, a copy. What touches each of its bodies once is added to it first, as that leaves the
+  /// classes of loops as they are; what is left, mostly little, makes a row of equations for each facet that
+  /// closes a way in a star, and they are eliminated. Expected O(n). REQUIRES: `wider` contains K.
+  OpenLoops(const CellComplex& complex, const Ground& ground, GrowingSolid solid,
             const std::vector<std::uint8_t>& wider);
   /// Whether t closes an open loop. REQUIRES: t is in `wider` and not in K; the contact is its own.
   bool is_closed_by(std::uint32_t t, const Contact& contact) const;
@@ -34,6 +35,7 @@ class OpenLoops {
   };
 
   bool is_beside(std::uint32_t t) const { return wider_[t] != 0 && !solid_.has(t); }
+  void fill();
   bool leads_to_solid(std::uint32_t t, unsigned i) const;
   static void add(Row& row, const Row& other);
   void number_facets();
@@ -44,7 +46,7 @@ class OpenLoops {
 
   const CellComplex& complex_;
   const Ground& ground_;
-  GrowingSolid& solid_;
+  GrowingSolid solid_;  ///< K and what was added
   const std::vector<std::uint8_t>& wider_;
   std::vector<std::uint32_t> unknown_;  ///< by 4 t + facet; kNone where the value is 0
   std::vector<Row> equations_;          ///< by their largest unknown, reduced

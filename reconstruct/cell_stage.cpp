@@ -65,6 +65,7 @@ void take_kept(const BuiltCell& cell, const std::vector<std::uint8_t>& kept, Cel
 void add_up(const CellReport& cell, TopologyReport& sum) {
   sum.handles += cell.topology.genus;
   sum.handles_before += cell.genus_before;
+  sum.handles_asked += cell.handles_asked;
   sum.grown_cells += cell.grown ? 1U : 0U;
   sum.walls += std::max(cell.topology.outsides, 1U) - 1;
   sum.voids += cell.topology.voids;
@@ -115,6 +116,7 @@ PruneResult Pipeline::prune_built(const CellInHand& hand, const CellRequests& as
   if (options_.mode != PruneMode::natural) return prune(complex, *hand.ground, {}, {options_.mode, {}}, {});
   CellRequests requests = by_local_numbers(asked, hand.built);
   requests.wishes = cell_wishes(options_.joins, hand.faces, hand.built);
+  requests.handles = !is_in(InCells::automatic, hand.id);  // where planes meet none was ever found
   return prune(complex, *hand.ground, hand.shape, {options_.mode, options_.natural}, requests);
 }
 
@@ -125,6 +127,7 @@ void Pipeline::report_topology(const BuiltCell& cell, const NaturalReport& natur
   const auto share = [](std::int32_t confidence) { return static_cast<double>(confidence) / kCertain; };
   report.topology = natural.after;
   report.genus_before = natural.before.genus;
+  report.handles_asked = natural.handles;
   report.grown = natural.grown;
   report.joined_alone = natural.joined_alone;
   report.opened = natural.opened;

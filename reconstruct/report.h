@@ -45,6 +45,7 @@ struct CellReport {
   std::uint32_t bad_links = 0;     ///< vertices whose extended link is neither a disk nor a sphere
   CellTopology topology;           ///< of the solid with the sections
   std::uint32_t genus_before = 0;  ///< handles within the cell before growth
+  std::uint32_t handles_asked = 0;  ///< that the sections ask for, mode natural
   bool grown = false;              ///< mode natural: growth had to decide
   std::uint32_t joined_alone = 0;  ///< by the second look, mode natural
   std::uint32_t opened = 0;        ///< walls of cavities, by the second look
@@ -59,8 +60,9 @@ struct StageSeconds {
 
 /// Sums over the cells.
 struct TopologyReport {
-  std::uint32_t handles = 0;  ///< genus of cells: mode natural only makes those that the sections ask for
+  std::uint32_t handles = 0;         ///< genus of cells
   std::uint32_t handles_before = 0;  ///< the same before growth took them out
+  std::uint32_t handles_asked = 0;   ///< that the sections ask for: mode natural makes no others
   std::uint32_t grown_cells = 0;
   std::uint32_t bodies_joined = 0;  ///< small ones that nothing was joined with in any cell
   std::uint32_t walls_opened = 0;   ///< of cavities that one plane has seen or whose walls were not sure

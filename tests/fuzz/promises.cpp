@@ -118,8 +118,9 @@ std::string report_complaint(const Reconstruction& r) {
     if (!(std::isfinite(x) && x >= 0)) return "the report has a length, area or volume of " + number(x);
   if (report.flat_area > report.section_area * (1 + 1e-9)) return "more flat area than sections have";
   if (report.matched_crossings > report.crossings) return "more crossings are matched than there are";
-  if (report.mode == "natural" && report.topology.handles != 0)
-    return std::to_string(report.topology.handles) + " handles within cells";
+  if (report.mode == "natural" && report.topology.handles > report.topology.handles_asked)
+    return std::to_string(report.topology.handles) + " handles within cells, " +
+           std::to_string(report.topology.handles_asked) + " asked for";
   if (r.surface.triangles.empty() && report.warnings.empty()) return "an empty surface and not a word why";
   return {};
 }
