@@ -33,9 +33,20 @@ struct View {
 
   Spot operator()(const Vec3& p) const {
     const Vec3 d = p - center;
-    return {x + scale * dot(d, right), y - scale * dot(d, up), scale * dot(d, toward)};
+    return {finite(x + scale * dot(d, right)), finite(y - scale * dot(d, up)),
+            finite(scale * dot(d, toward))};
+  }
+
+ private:
+  /// A part that is enlarged much has neighbours so far out that products of their places would overflow.
+  static double finite(double v) {
+    constexpr double kFar = 1e100;
+    return v < kFar ? std::max(v, -kFar) : kFar;
   }
 };
+
+/// A coordinate as an integer, -1 or `size` if it lies beyond a canvas of that size.
+inline int sample(double at, int size) { return at < size ? static_cast<int>(std::max(at, -1.0)) : size; }
 
 /// The view from direction `toward` (any length, not along z) with z up.
 View view_from(Vec3 toward);
@@ -107,10 +118,10 @@ template <class Paint>
 void scan_triangle(const Spot& a, const Spot& b, const Spot& c, int width, int height, Paint paint) {
   const double area = (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);
   if (area == 0) return;
-  const int first_y = std::max(0, static_cast<int>(std::ceil(std::min({a.y, b.y, c.y}) - 0.5)));
-  const int last_y = std::min(height - 1, static_cast<int>(std::floor(std::max({a.y, b.y, c.y}) - 0.5)));
-  const int first_x = std::max(0, static_cast<int>(std::ceil(std::min({a.x, b.x, c.x}) - 0.5)));
-  const int last_x = std::min(width - 1, static_cast<int>(std::floor(std::max({a.x, b.x, c.x}) - 0.5)));
+  const int first_y = std::max(0, sample(std::ceil(std::min({a.y, b.y, c.y}) - 0.5), height));
+  const int last_y = std::min(height - 1, sample(std::floor(std::max({a.y, b.y, c.y}) - 0.5), height));
+  const int first_x = std::max(0, sample(std::ceil(std::min({a.x, b.x, c.x}) - 0.5), width));
+  const int last_x = std::min(width - 1, sample(std::floor(std::max({a.x, b.x, c.x}) - 0.5), width));
   for (int y = first_y; y <= last_y; ++y) {
     for (int x = first_x; x <= last_x; ++x) {
       const double px = x + 0.5, py = y + 0.5;

@@ -125,10 +125,11 @@ void paint_shadow(Canvas& canvas, const View& view, const Scene& scene, const Li
 void paint_segment(Canvas& canvas, const Spot& a, const Spot& b, double lift, Rgb colour, float alpha) {
   const double half = kLine * kSamples;
   const double dx = b.x - a.x, dy = b.y - a.y, squared = dx * dx + dy * dy;
-  const int x0 = std::max(0, static_cast<int>(std::floor(std::min(a.x, b.x) - half)));
-  const int x1 = std::min(canvas.width() - 1, static_cast<int>(std::ceil(std::max(a.x, b.x) + half)));
-  const int y0 = std::max(0, static_cast<int>(std::floor(std::min(a.y, b.y) - half)));
-  const int y1 = std::min(canvas.height() - 1, static_cast<int>(std::ceil(std::max(a.y, b.y) + half)));
+  const int width = canvas.width(), height = canvas.height();
+  const int x0 = std::max(0, sample(std::floor(std::min(a.x, b.x) - half), width));
+  const int x1 = std::min(width - 1, sample(std::ceil(std::max(a.x, b.x) + half), width));
+  const int y0 = std::max(0, sample(std::floor(std::min(a.y, b.y) - half), height));
+  const int y1 = std::min(height - 1, sample(std::ceil(std::max(a.y, b.y) + half), height));
   for (int y = y0; y <= y1; ++y) {
     for (int x = x0; x <= x1; ++x) {
       const double px = x + 0.5 - a.x, py = y + 0.5 - a.y;
@@ -174,8 +175,8 @@ void paint_section(Canvas& canvas, const View& view, const PlaneSection& plane, 
     for (std::size_t i = 0; i + 1 < hits.size(); i += 2) {
       const auto [x0, depth0] = hits[i];
       const auto [x1, depth1] = hits[i + 1];
-      const int last = std::min(canvas.width() - 1, static_cast<int>(std::ceil(x1 - 0.5)) - 1);
-      for (int x = std::max(0, static_cast<int>(std::ceil(x0 - 0.5))); x <= last; ++x) {
+      const int width = canvas.width(), last = std::min(width - 1, sample(std::ceil(x1 - 0.5), width) - 1);
+      for (int x = std::max(0, sample(std::ceil(x0 - 0.5), width)); x <= last; ++x) {
         const double depth = depth0 + (x + 0.5 - x0) / (x1 - x0) * (depth1 - depth0);
         canvas.translucent(x, y, depth, shade * colour, 0.38f);
       }

@@ -160,7 +160,7 @@ inline bool on_arc(const FaceArc& arc, Vec2 p) {
 inline std::vector<ScanCrossing> scan(const std::vector<FaceArc>& arcs, double y) {
   std::vector<ScanCrossing> crossings;
   for (const FaceArc& arc : arcs) {
-    const auto [i, j] = arc.sites;
+    const std::uint32_t i = arc.sites[0], j = arc.sites[1];
     const auto cross_at = [&](double x, bool upwards) {
       if (on_arc(arc, {x, y})) crossings.push_back({x, upwards ? i : j, upwards ? j : i});
     };

@@ -33,6 +33,10 @@ std::atomic<std::size_t> largest_allocation{0};
   if (memory == nullptr) std::abort();
   return memory;
 }
+// std::stable_sort asks for its buffer so; AddressSanitizer's own would not match free().
+[[gnu::noinline]] void* operator new(std::size_t bytes, const std::nothrow_t&) noexcept {
+  return operator new(bytes);
+}
 [[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
 [[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 
