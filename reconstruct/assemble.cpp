@@ -148,7 +148,8 @@ Sections assemble_sections(const FramedSections& framed, const SectionGraph& gra
 
 /// Summed one by one, so that the sum does not depend on the threads; what is summed takes the time.
 double enclosed_volume(const Surface& surface, const Context& context) {
-  const auto& [points, triangles] = surface;
+  const std::vector<Vec3>& points = surface.points;
+  const auto& triangles = surface.triangles;
   constexpr std::size_t kAtOnce = 32 * kBlock;
   std::vector<double> parts(std::min(triangles.size(), kAtOnce));
   double sum = 0;

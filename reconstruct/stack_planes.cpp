@@ -7,6 +7,7 @@
 #include "../arrangement/directions.h"
 #include "../arrangement/normalise.h"
 #include "../geom/frame.h"
+#include "../geom/grid.h"
 
 namespace crossloft {
 namespace {
@@ -44,6 +45,16 @@ double largest_coordinate(const Bounds& box) {
   for (const Vec3& p : {box.low, box.high})
     largest = std::max({largest, std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
   return box.empty() ? 0 : largest;
+}
+
+/// Frames order planes along the normal that they fit to the direction. Its first component that is not 0 is
+/// positive, as that of the direction: but where the direction has one next to 0 the normal may have none
+/// there, and be turned round.
+bool turns_round(const LatticeVector& direction, const Bounds& box) {
+  const double diagonal = diagonal_of(box);
+  if (diagonal == 0) return false;  // frames make nothing of it
+  const double radius = std::ceil(diagonal / WorldGrid(box.low, box.high).unit() / 2);
+  return dot(unit_of(fit_normal(direction, static_cast<std::int64_t>(radius))), unit_of(direction)) < 0;
 }
 
 Error not_parallel(const std::string& file, const PlaneSection& plane, std::uint32_t position) {
@@ -110,7 +121,8 @@ class Surveyor {
   StackPlanes finish() {
     for (const Bounds& box : boxes_) out_.wide.join(box);
     if (out_.wide.empty()) out_.wide = out_.extent;
-    const Vec3 unit = unit_of(out_.direction);
+    Vec3 unit = unit_of(out_.direction);
+    if (turns_round(out_.direction, out_.wide)) unit = -unit;
     std::vector<double> offsets;  // half way between the ends, as frames place a plane
     for (const auto& [low, high] : ends_) offsets.push_back(dot(unit, low) / 2 + dot(unit, high) / 2);
     for (std::uint32_t p = 0; p < offsets.size(); ++p) out_.positions.push_back(p);

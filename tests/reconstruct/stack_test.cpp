@@ -226,6 +226,12 @@ TEST_CASE("Normals may have different lengths and signs, however slanted the pla
   }
 }
 
+// stress --seed 2030 --first 44174: the fitted normal is (0, 1, 1), the direction of the normals (1e-9, -1,
+// -1).
+TEST_CASE("Planes come in the order of the frame where its normal is turned round") {
+  check_streamed(stack_of(torus(1, 0.4, 24, 16), 30, {-1e-9, 1, 1}));
+}
+
 TEST_CASE("One window is enough for a small stack, and windows hold what they are asked to") {
   const Sections sections = stack_of(trefoil_solid(40), 60);
   std::uint64_t vertices = 0;
