@@ -1,7 +1,6 @@
 #include "open_loops.h"
 
 #include <algorithm>
-#include <array>
 #include <iterator>
 #include <utility>
 

@@ -20,7 +20,8 @@ class OpenLoops {
  public:
   /// `solid` is K, a copy. What touches each of its bodies once is added to it first, as that leaves the
   /// classes of loops as they are; what is left, mostly little, makes a row of equations for each facet that
-  /// closes a way in a star, and they are eliminated. Expected O(n). REQUIRES: `wider` contains K.
+  /// closes a way in a star, and they are eliminated: O(n) where measured, no bound is known. REQUIRES:
+  /// `wider` contains K.
   OpenLoops(const CellComplex& complex, const Ground& ground, GrowingSolid solid,
             const std::vector<std::uint8_t>& wider);
   /// Whether t closes an open loop. REQUIRES: t is in `wider` and not in K; the contact is its own.

@@ -177,13 +177,12 @@ void Pipeline::separate(const GluedSurface& glued) {
   Report& report = result_.report;
   report.touching_copies = glued.copies;
   if (glued.copies == 0) return;
+  std::uint32_t crowded = 0;  // in what was tried last
   const auto take = [&](const Separation& separation) {
     report.separated_copies += separation.separated;
     report.touching_copies = separation.touching;
     report.separation = std::max(report.separation, separation.largest);
-    if (separation.crowded != 0)
-      warn(std::to_string(separation.crowded) +
-           " copies of vertices were not tried to be moved apart: too many triangles are around them");
+    crowded = separation.crowded;
   };
   SeparationEffort effort;
   if (options_.separation > 0) effort.longest = options_.separation * framed_.diagonal;
@@ -191,10 +190,16 @@ void Pipeline::separate(const GluedSurface& glued) {
     take(separate_copies(result_.surface, glued.vertices,
                          SectionConfinement(graph_, faces_, numbering_, framed_.grid, glued), effort,
                          context_));
-  if (options_.separation == 0) return;
+  const auto tell_of_crowded = [&] {
+    if (crowded != 0)
+      warn(std::to_string(crowded) +
+           " copies of vertices stay where they touch: too many triangles are around them");
+  };
+  if (options_.separation == 0) return tell_of_crowded();
   effort.halvings = kHalvings, effort.rounds = kRounds, effort.most_around = kMostAround;
   take(separate_copies(result_.surface, glued.vertices, Anywhere{}, effort, context_));
   if (context_.cancelled()) return;
+  tell_of_crowded();
   const auto contacts = find_contacts(result_.surface);
   report.contacts = contacts.size();
   if (window_)

@@ -229,7 +229,7 @@ class Separator {
         if (around.size() > effort_.most_around) is_crowded[moving[i]] = true, around = {};
       });
     for (const std::uint32_t k : moving)
-      if (is_crowded[k]) reach_[k] = 0, ++result_.crowded;
+      if (is_crowded[k]) reach_[k] = 0, result_.crowded += touches(k) ? 1 : 0;
   }
 
   /// Normals of the umbrella's triangles, of length 1 and towards the side on which `inside` mostly lies.

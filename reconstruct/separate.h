@@ -47,7 +47,7 @@ struct SeparationEffort {
 struct Separation {
   std::uint32_t separated = 0;  ///< copies that moved
   std::uint32_t touching = 0;   ///< copies left beyond one a place; before the moves: GluedSurface::copies
-  std::uint32_t crowded = 0;    ///< copies that might have moved, but for most_around
+  std::uint32_t crowded = 0;    ///< copies that touch others and might have moved, but for most_around
   double largest = 0;           ///< longest move
 };
 

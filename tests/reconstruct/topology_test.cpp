@@ -89,6 +89,13 @@ TEST_CASE(
   const auto far = reconstruct(two_slit_rings(8, true));  // nothing is sure of this ring
   REQUIRE(far.ok());
   CHECK(far->report.topology.handles == 0);
+  Sections crossed = two_slit_rings(0.5, true);  // an empty plane beside the rings: planes meet in their cell
+  PlaneSection& plane = crossed.planes.emplace_back();
+  plane.normal = {1, 0, 0};
+  plane.offset = -3.2;
+  const auto r = reconstruct(crossed);
+  REQUIRE(r.ok());
+  CHECK(r->report.topology.handles == 0);
 }
 
 TEST_CASE("a stack across a tilted torus: between two planes the ring closes that neither has") {
