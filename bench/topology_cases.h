@@ -16,7 +16,7 @@ struct TopologyCase {
   std::function<std::vector<CuttingPlane>(const Bounds&, std::uint64_t seed)> planes;
 };
 
-/// Those of the table in prune/README.md.
+/// Those of docs/natural.md.
 std::vector<TopologyCase> topology_cases();
 
 /// The same solids by 10, 16, 25 and 40 parallel slices; the seed gives the direction.

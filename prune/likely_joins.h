@@ -18,8 +18,8 @@
 
 namespace crossloft {
 
-/// Whether a join with this confidence is in doubt. Of the joins that README.md counts, those with others
-/// need no second opinion: they are sure, or surely refused.
+/// Whether a join with this confidence is in doubt. Of the joins that docs/natural.md counts, those with
+/// others need no second opinion: they are sure, or surely refused.
 bool is_in_doubt(std::int32_t confidence);
 bool is_sure(std::int32_t confidence);
 

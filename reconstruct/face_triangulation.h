@@ -1,7 +1,7 @@
 #pragma once
 /// One face of the arrangement: the planar Delaunay triangulation of its section vertices, conforming to the
 /// contours and told into inside and outside. Its triangles are the hull facets, on this face, of the cells
-/// on both sides (DESIGN: all vertices of a cell lie on its boundary).
+/// on both sides (README, "Invariants": all section vertices of a cell lie on its boundary).
 
 #include <array>
 #include <cstdint>

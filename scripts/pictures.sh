@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# pictures.sh [PROGRAM]: draws the pictures of the pages anew, from the commands that the pages name.
+# pictures.sh [PROGRAM]: draws the pictures of the pages anew.
 # examples/topology: link and tunnel are `torus(1, 0.4, 24, 12)` (inspect/solids.h) cut by `slice --random 6 --seed 13`
 # and `--random 5 --seed 15`; dome is a disk below a ring, by hand.
 set -euo pipefail
