@@ -5,12 +5,14 @@
 //   bench_joins [--seeds FIRST LAST] [--case TEXT] [--mesh FILE PLANES]      default: 11 to 20, all cases but
 //   the nested shells; with a mesh random planes through it instead
 //
-// Per measure: joins of what is one body and of what is not, the area under the ROC curve, and how many would
-// be decided wrongly by the best limit, and by 0; and in how many runs there is one of these.
+// Per measure, and by how many planes meet the one of the two bodies that fewer meet: joins of what is one
+// body and of what is not, the area under the ROC curve, and how many would be decided wrongly by the best
+// limit, and by 0; and in how many runs there is one of these.
 
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <set>
@@ -21,6 +23,7 @@
 #include "../prune/confidence.h"
 #include "../prune/prune.h"
 #include "../prune/section_field.h"
+#include "../prune/section_parts.h"
 #include "../prune/smooth_function.h"
 #include "../prune/star.h"
 #include "../reconstruct/observer.h"
@@ -37,7 +40,8 @@ using bench::CellTruth;
 /// A measure brings two bodies together.
 struct Decision {
   double measure = 0;
-  bool is_one = false;  ///< in truth
+  bool is_one = false;     ///< in truth
+  std::size_t planes = 0;  ///< that meet the body that fewer meet
   std::uint32_t run = 0;
 };
 
@@ -56,11 +60,17 @@ struct CellUnderStudy {
 class Joining {
  public:
   explicit Joining(const CellUnderStudy& cell)
-      : cell_(cell), sets_(cell.ground.size() + cell.r1.size()), bodies_(sets_size()) {
+      : cell_(cell),
+        sets_(cell.ground.size() + cell.r1.size()),
+        bodies_(sets_size()),
+        parts_(section_parts(cell.complex, cell.ground)),
+        seen_(parts_),
+        part_(sets_size(), kNone) {
     for (std::uint32_t g = 0; g < cell.ground.size(); ++g) {
       sets_.join(g, cell.ground.part(g));
       if (cell.ground.part(g) == g) bodies_[g].insert(cell.body[g]);
     }
+    for (std::uint32_t i = 0; i < parts_.size(); ++i) part_[sets_.find(parts_[i].number)] = i;
   }
 
   void run(const std::vector<double>& measure, std::uint32_t run, std::vector<Decision>& decisions) {
@@ -75,7 +85,8 @@ class Joining {
       for (unsigned i = 0; i < 4; ++i) {
         const std::uint32_t n = cell_.complex.mesh.neighbours[t][i];
         const auto join_with = [&](std::uint32_t other) {
-          if (const auto one = join(tet(t), other)) decisions.push_back({measure[t], *one, run});
+          if (const auto made = join(tet(t), other))
+            decisions.push_back({measure[t], made->is_one, made->planes, run});
         };
         if (n != kNone && in[n] != 0) join_with(tet(n));
         if (cell_.ground.is_ground(t, i)) join_with(cell_.ground.at(t, i));
@@ -87,23 +98,38 @@ class Joining {
   std::size_t sets_size() const { return cell_.ground.size() + cell_.r1.size(); }
   std::uint32_t tet(std::uint32_t t) const { return cell_.ground.size() + t; }
 
-  /// Whether the two are one body in truth, if both have a section.
-  std::optional<bool> join(std::uint32_t a, std::uint32_t b) {
+  /// Of two pieces, if both have a section.
+  struct Made {
+    bool is_one = false;  ///< in truth
+    std::size_t planes = 0;
+  };
+
+  std::optional<Made> join(std::uint32_t a, std::uint32_t b) {
     a = sets_.find(a), b = sets_.find(b);
     if (a == b) return std::nullopt;
-    std::optional<bool> one;
+    std::optional<Made> made;
     std::set<std::uint32_t> all = bodies_[a];
-    if (!bodies_[a].empty() && !bodies_[b].empty())
-      one = std::any_of(all.begin(), all.end(), [&](std::uint32_t x) { return bodies_[b].count(x) != 0; });
+    if (part_[a] != kNone && part_[b] != kNone) {
+      const std::uint32_t x = seen_.body_of(part_[a]), y = seen_.body_of(part_[b]);
+      made = Made{std::any_of(all.begin(), all.end(),
+                              [&](std::uint32_t body) { return bodies_[b].count(body) != 0; }),
+                  seen_.planes_at_both(x, y)};
+      seen_.join(x, y);
+    }
     all.insert(bodies_[b].begin(), bodies_[b].end());
+    const std::uint32_t part = std::min(part_[a], part_[b]);
     sets_.join(a, b);
     bodies_[sets_.find(a)] = std::move(all);
-    return one;
+    part_[sets_.find(a)] = part;
+    return made;
   }
 
   const CellUnderStudy& cell_;
   DisjointSets sets_;
   std::vector<std::set<std::uint32_t>> bodies_;  ///< by root
+  std::vector<SectionPart> parts_;
+  SeenBodies seen_;
+  std::vector<std::uint32_t> part_;  ///< by root: one of its parts, kNone if it has none
 };
 
 std::vector<double> by_confidence(const CellUnderStudy& cell) {
@@ -222,9 +248,7 @@ double best_limit(const std::vector<Decision>& decisions) {
   return limit;
 }
 
-void print(const std::string& name, std::vector<Decision> decisions) {
-  std::stable_sort(decisions.begin(), decisions.end(),
-                   [](const Decision& a, const Decision& b) { return a.measure > b.measure; });
+void print(const std::string& name, const std::vector<Decision>& decisions) {
   double ones = 0, pairs = 0;  // of one that is and one that is not, in the right order
   for (const Decision& d : decisions) d.is_one ? ones += 1 : pairs += ones;
   const double others = static_cast<double>(decisions.size()) - ones, limit = best_limit(decisions);
@@ -233,6 +257,21 @@ void print(const std::string& name, std::vector<Decision> decisions) {
   if (ones > 0 && others > 0) std::printf("area %.4f  ", pairs / (ones * others));
   std::printf("wrong %zu in %zu runs at %.4f, %zu in %zu at 0\n", best.joins, best.runs.size(), limit,
               zero.joins, zero.runs.size());
+}
+
+/// Numbers of planes from here on are one line.
+constexpr std::size_t kManyPlanes = 5;
+
+void print_with_planes(const std::string& name, std::vector<Decision> decisions) {
+  std::stable_sort(decisions.begin(), decisions.end(),
+                   [](const Decision& a, const Decision& b) { return a.measure > b.measure; });
+  print(name, decisions);
+  for (std::size_t planes = 1; planes <= kManyPlanes; ++planes) {
+    std::vector<Decision> some;
+    std::copy_if(decisions.begin(), decisions.end(), std::back_inserter(some),
+                 [&](const Decision& d) { return std::min(d.planes, kManyPlanes) == planes; });
+    if (!some.empty()) print("  planes " + std::to_string(planes), some);
+  }
 }
 
 struct Arguments {
@@ -276,7 +315,7 @@ bool study_case(const bench::TopologyCase& c, const Arguments& arguments, std::u
   }
   std::printf("%s\n", c.name.c_str());
   for (const auto& [name, decisions] : here) {
-    print(name, decisions);
+    print_with_planes(name, decisions);
     all[name].insert(all[name].end(), decisions.begin(), decisions.end());
   }
   std::fflush(stdout);
@@ -299,6 +338,6 @@ int main(int count, char** words) {
     if (!study_case(c, arguments, run, all)) return std::fprintf(stderr, "error: %s\n", c.name.c_str()), 1;
   }
   std::printf("all, %u runs\n", run);
-  for (const auto& [name, decisions] : all) print(name, decisions);
+  for (const auto& [name, decisions] : all) print_with_planes(name, decisions);
   return 0;
 }

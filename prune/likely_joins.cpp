@@ -6,6 +6,7 @@
 #include "../geom/disjoint_sets.h"
 #include "confidence.h"
 #include "section_field.h"
+#include "section_parts.h"
 #include "smooth_function.h"
 #include "star.h"
 #include "widest_ways.h"
@@ -14,12 +15,17 @@ namespace crossloft {
 namespace {
 
 constexpr double kSurelyApart = -0.5, kSurelyJoined = 0.05;
+/// The same of bodies that kSeen planes or more meet each: what joins them, one of these had to miss.
+constexpr double kSurelyJoinedIfSeen = 0.25;
+constexpr std::size_t kSeen = 3;
 /// How far the function looks, in radii of the cell: a little beyond it, into the planes around.
 constexpr double kReach = 1.1;
 /// What the function must exceed, in radii of the cell. Samples are a sixth of one apart: a gap that is
 /// narrower than that does not show, and the function is a little above 0 in it. Less in tetrahedra that are
 /// kept already.
 constexpr double kLeastValue = 0.04, kLeastWhereKept = 0.01;
+/// Between bodies that kSeen planes meet each, one more, and still more.
+constexpr std::array<double, 3> kLeastIfSeen{0.05, 0.06, 0.12};
 
 /// With more sections in a cell they are small against it, and the samples too far apart to tell them from
 /// what is around; and there is a wish for each pair.
@@ -37,19 +43,22 @@ std::optional<SmoothFunction> function_around(const CellComplex& complex, const 
   return SmoothFunction::through(shape.field->get().samples(centre, kReach * radius), centre, radius);
 }
 
-/// Whether the function is above `least` somewhere at the centroid of a tetrahedron or half way to its
-/// vertices.
-bool is_likely(const CellComplex& complex, const CellShape& shape, const SmoothFunction& f, double least,
-               std::uint32_t t) {
+/// The largest value of the function at the centroid of a tetrahedron and half way to its vertices, or one
+/// that is above `enough`.
+double largest_value(const CellComplex& complex, const CellShape& shape, const SmoothFunction& f,
+                     double enough, std::uint32_t t) {
   const auto v = sorted_vertices(complex.mesh, t);
   const auto& at = shape.points;
   const Vec3 centroid = 0.25 * ((at[v[0]] + at[v[1]]) + (at[v[2]] + at[v[3]]));
-  const auto is_above = [&](Vec3 p, Vec3 q) {
-    const auto [at_p, at_q] = f.at(p, q);
-    return at_p > least || at_q > least;
-  };
   const auto towards = [&](unsigned k) { return 0.5 * (centroid + at[v[k]]); };
-  return is_above(centroid, towards(0)) || is_above(towards(1), towards(2)) || is_above(towards(3), centroid);
+  const auto larger = [&](Vec3 p, Vec3 q) {
+    const auto [at_p, at_q] = f.at(p, q);
+    return std::max(at_p, at_q);
+  };
+  double value = larger(centroid, towards(0));
+  if (!(value > enough)) value = std::max(value, larger(towards(1), towards(2)));
+  if (!(value > enough)) value = std::max(value, larger(towards(3), centroid));
+  return value;
 }
 
 /// Tetrahedra that sections reach.
@@ -83,52 +92,138 @@ Reached reach(const CellComplex& complex, const Ground& ground, Inside inside) {
   return reached;
 }
 
-/// One part of the sections.
-struct Part {
-  std::uint32_t number = 0;
-  std::vector<std::uint32_t> vertices;  ///< ascending
-};
+/// By join, the confidence above which it is sure.
+std::vector<std::int32_t> sure_above(std::span<const Join> joins, std::span<const SectionPart> parts) {
+  SeenBodies bodies(parts);
+  std::vector<std::int32_t> sure;
+  for (const Join& j : joins) {
+    const auto pair = bodies_of(j, parts, bodies);
+    const bool seen = pair && bodies.planes_at_both((*pair)[0], (*pair)[1]) >= kSeen;
+    sure.push_back(as_integer(seen ? kSurelyJoinedIfSeen : kSurelyJoined));
+    if (pair) bodies.join((*pair)[0], (*pair)[1]);
+  }
+  return sure;
+}
 
-std::vector<Part> list_parts(const CellComplex& complex, const Ground& ground) {
-  std::vector<Part> parts;
-  for (std::uint32_t g = 0; g < ground.size(); ++g) {
-    if (ground.part(g) == g) parts.push_back({g, {}});
-    const auto part = std::lower_bound(parts.begin(), parts.end(), ground.part(g),
-                                       [](const Part& p, std::uint32_t number) { return p.number < number; });
-    const Facet& f = ground.facet(g);
-    for (const std::uint8_t slot : kFacetSlots[f.facet])
-      part->vertices.push_back(complex.mesh.vertices[f.tet][slot]);
-  }
-  for (Part& part : parts) {
-    std::sort(part.vertices.begin(), part.vertices.end());
-    part.vertices.erase(std::unique(part.vertices.begin(), part.vertices.end()), part.vertices.end());
-  }
-  return parts;
+bool has_doubt(std::span<const Join> joins, std::span<const std::int32_t> sure) {
+  return !std::equal(joins.begin(), joins.end(), sure.begin(), [](const Join& j, std::int32_t above) {
+    return j.confidence < as_integer(kSurelyApart) || j.confidence > above;
+  });
 }
 
 /// Whether parts that are surely one body by their confidence are so in `wanted`: else the function does not
-/// see what it is to decide. A join has the name of one part of each of two bodies, its smallest vertex,
-/// which parts that touch may have in common.
-bool sees_sure_joins(std::span<const Join> possible, std::span<const Part> parts, Reached& wanted) {
+/// see what it is to decide.
+bool sees_sure_joins(std::span<const Join> possible, std::span<const std::int32_t> sure,
+                     std::span<const SectionPart> parts, DisjointSets& wanted) {
   const auto is_seen = [&](const Join& j) {
-    for (const Part& p : parts)
-      for (const Part& q : parts)
+    for (const SectionPart& p : parts)
+      for (const SectionPart& q : parts)
         if (p.number != q.number && p.vertices.front() == j.a && q.vertices.front() == j.b &&
-            wanted.parts.find(p.number) == wanted.parts.find(q.number))
+            wanted.find(p.number) == wanted.find(q.number))
           return true;
     return false;
   };
-  return std::all_of(possible.begin(), possible.end(),
-                     [&](const Join& j) { return !is_sure(j.confidence) || is_seen(j); });
+  for (std::size_t k = 0; k < possible.size(); ++k)
+    if (possible[k].confidence > sure[k] && !is_seen(possible[k])) return false;
+  return true;
+}
+
+/// Joins bodies by ways on which the function is large enough for the number of planes that meet both.
+class WaysBetweenSeen {
+ public:
+  WaysBetweenSeen(const CellComplex& complex, const Ground& ground, std::span<const SectionPart> parts)
+      : complex_(complex),
+        ground_(ground),
+        bodies_(parts),
+        pieces_(std::size_t{ground.size()} + complex.mesh.size()),
+        part_(std::size_t{ground.size()} + complex.mesh.size(), kNone),
+        added_(complex.mesh.size(), 0) {
+    for (std::uint32_t g = 0; g < ground.size(); ++g) pieces_.join(g, ground.part(g));
+    for (std::uint32_t i = 0; i < parts.size(); ++i) part_[pieces_.find(parts[i].number)] = i;
+  }
+
+  /// The next one by falling value. What would join bodies that it may not is on no way.
+  void add(std::uint32_t t, std::int32_t value) {
+    std::array<std::uint32_t, 4> bodies;
+    std::size_t count = 0;
+    for_pieces_at(t, [&](std::uint32_t piece) {
+      if (const std::uint32_t part = part_[pieces_.find(piece)]; part != kNone)
+        bodies[count++] = bodies_.body_of(part);
+    });
+    for (std::size_t i = 0; i < count; ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        if (bodies[i] != bodies[j] && value <= least(bodies_.planes_at_both(bodies[i], bodies[j]))) return;
+    for (std::size_t i = 1; i < count; ++i) bodies_.join(bodies_.body_of(bodies[0]), bodies[i]);
+    for_pieces_at(t, [&](std::uint32_t piece) { pieces_.join(of_tet(t), piece); });
+    part_[pieces_.find(of_tet(t))] = count == 0 ? kNone : bodies[0];
+    added_[t] = 1;
+  }
+
+  std::uint32_t body_of(std::uint32_t part) { return bodies_.body_of(part); }
+
+ private:
+  std::uint32_t of_tet(std::uint32_t t) const { return ground_.size() + t; }
+
+  template <class Visit>
+  void for_pieces_at(std::uint32_t t, Visit visit) const {
+    for (unsigned i = 0; i < 4; ++i) {
+      const std::uint32_t n = complex_.mesh.neighbours[t][i];
+      if (n != kNone && added_[n] != 0) visit(of_tet(n));
+      if (ground_.is_ground(t, i)) visit(ground_.at(t, i));
+    }
+  }
+
+  static std::int32_t least(std::size_t planes) {
+    return planes < kSeen ? 0 : as_integer(kLeastIfSeen[std::min(planes - kSeen, kLeastIfSeen.size() - 1)]);
+  }
+
+  const CellComplex& complex_;
+  const Ground& ground_;
+  SeenBodies bodies_;
+  DisjointSets pieces_;              ///< ground triangles, then tetrahedra
+  std::vector<std::uint32_t> part_;  ///< by piece: a part of the body it is of
+  std::vector<std::uint8_t> added_;
+};
+
+/// Whether two of the bodies in `wanted` may be parts that kSeen planes meet each.
+bool may_be_seen(std::span<const SectionPart> parts, DisjointSets& wanted) {
+  return std::any_of(parts.begin(), parts.end(), [&](const SectionPart& part) {
+    std::size_t planes = 0;
+    for (const SectionPart& p : parts)
+      if (wanted.find(p.number) == wanted.find(part.number)) planes += p.faces.size();
+    return planes >= 2 * kSeen;
+  });
+}
+
+/// Parts by the sets they are in where the function is large enough on a way between them.
+DisjointSets wanted_parts(const CellComplex& complex, const CellShape& shape, const Ground& ground,
+                          std::span<const SectionPart> parts, const SmoothFunction& f, Reached& above) {
+  if (!may_be_seen(parts, above.parts)) return above.parts;
+  std::vector<std::int32_t> value(complex.mesh.size(), 0);
+  for (std::uint32_t t = 0; t < value.size(); ++t)
+    if (above.inside[t] != 0)
+      value[t] = as_integer(std::clamp(largest_value(complex, shape, f, 1, t), 0.0, 1.0));
+  WaysBetweenSeen ways(complex, ground, parts);
+  for (const std::uint32_t t : by_confidence(complex, above.inside, value)) ways.add(t, value[t]);
+  DisjointSets wanted(ground.size());
+  for (std::uint32_t i = 0; i < parts.size(); ++i)
+    wanted.join(parts[ways.body_of(i)].number, parts[i].number);
+  return wanted;
 }
 
 }  // namespace
 
 bool is_in_doubt(std::int32_t confidence) {
-  return confidence >= as_integer(kSurelyApart) && !is_sure(confidence);
+  return confidence >= as_integer(kSurelyApart) && confidence <= as_integer(kSurelyJoined);
 }
 
-bool is_sure(std::int32_t confidence) { return confidence > as_integer(kSurelyJoined); }
+bool are_sure(const CellComplex& complex, const Ground& ground, std::span<const Join> joins) {
+  if (joins.empty() || joins.back().confidence > as_integer(kSurelyJoinedIfSeen)) return true;
+  if (joins.back().confidence <= as_integer(kSurelyJoined)) return false;
+  const std::vector<std::int32_t> sure = sure_above(joins, section_parts(complex, ground));
+  return std::equal(joins.begin(), joins.end(), sure.begin(),
+                    [](const Join& j, std::int32_t above) { return j.confidence > above; });
+}
 
 std::optional<JoinPlan> plan_joins(const CellComplex& complex, const CellShape& shape, const Ground& ground,
                                    const std::vector<std::uint8_t>& r1,
@@ -136,29 +231,31 @@ std::optional<JoinPlan> plan_joins(const CellComplex& complex, const CellShape& 
                                    const std::vector<std::uint8_t>& kept,
                                    const std::function<std::int32_t(std::uint32_t)>& measure) {
   const std::vector<Join> possible = find_widest_ways(complex, ground, r1, body_in_r1, measure);
-  if (std::none_of(possible.begin(), possible.end(), [](const Join& j) { return is_in_doubt(j.confidence); }))
-    return std::nullopt;
-  const std::vector<Part> parts = list_parts(complex, ground);
+  const std::vector<SectionPart> parts = section_parts(complex, ground);
+  const std::vector<std::int32_t> sure = sure_above(possible, parts);
+  if (!has_doubt(possible, sure)) return std::nullopt;
   if (parts.size() > kMostParts) return std::nullopt;
   const auto f = function_around(complex, shape);
   if (!f) return std::nullopt;
-  Reached wanted = reach(complex, ground, [&](std::uint32_t t) {
-    return r1[t] != 0 && is_likely(complex, shape, *f, kept[t] != 0 ? kLeastWhereKept : kLeastValue, t);
+  Reached above = reach(complex, ground, [&](std::uint32_t t) {
+    const double least = kept[t] != 0 ? kLeastWhereKept : kLeastValue;
+    return r1[t] != 0 && largest_value(complex, shape, *f, least, t) > least;
   });
-  if (!sees_sure_joins(possible, parts, wanted)) return std::nullopt;
+  DisjointSets wanted = wanted_parts(complex, shape, ground, parts, *f, above);
+  if (!sees_sure_joins(possible, sure, parts, wanted)) return std::nullopt;
   Reached found = reach(complex, ground, [&](std::uint32_t t) { return kept[t] != 0; });
   JoinPlan plan;
   bool lacks = false, differs = false;
   for (auto a = parts.begin(); a != parts.end(); ++a)
     for (auto b = a + 1; b != parts.end(); ++b) {
-      const bool join = wanted.parts.find(a->number) == wanted.parts.find(b->number);
+      const bool join = wanted.find(a->number) == wanted.find(b->number);
       const bool joined = found.parts.find(a->number) == found.parts.find(b->number);
       plan.wishes.push_back({a->vertices, b->vertices, join});
       differs |= join != joined;
       lacks |= join && !joined;
     }
   if (!differs) return std::nullopt;
-  plan.likely = lacks ? std::move(wanted.inside) : std::vector<std::uint8_t>(r1.size(), 0);
+  plan.likely = lacks ? std::move(above.inside) : std::vector<std::uint8_t>(r1.size(), 0);
   return plan;
 }
 

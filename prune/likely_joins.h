@@ -19,9 +19,13 @@
 namespace crossloft {
 
 /// Whether a join with this confidence is in doubt. Of the joins that docs/natural.md counts, those with
-/// others need no second opinion: they are sure, or surely refused.
+/// others need no second opinion: they are sure, or surely refused. Between two bodies that three or more
+/// planes meet each, more confident ones are in doubt, too: of what would join them none of these planes has
+/// met anything.
 bool is_in_doubt(std::int32_t confidence);
-bool is_sure(std::int32_t confidence);
+/// Whether all of these joins, the most confident first, are sure. O(1) if that does not depend on the
+/// planes, else O(n log n).
+bool are_sure(const CellComplex& complex, const Ground& ground, std::span<const Join> joins);
 
 /// What growth is to do otherwise.
 struct JoinPlan {

@@ -102,7 +102,7 @@ class NaturalPruning {
   /// are no worse than those through the subset.
   bool is_surely_joined(const CellBodies& bodies, const std::vector<std::uint32_t>& body_in_r1,
                         std::span<const Join> joins) const {
-    return (joins.empty() || is_sure(joins.back().confidence)) && body_in_r1 == bodies.of_ground;
+    return body_in_r1 == bodies.of_ground && are_sure(complex_, ground_, joins);
   }
 
   /// Bodies of R1 by ground triangle. Those of a subset that are one are so in R1.

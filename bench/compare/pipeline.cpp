@@ -1,8 +1,8 @@
 // A whole reconstruction against no more than CGAL's Delaunay triangulations (EPICK, range insertion) of the
 // same cells' points, in turns in one process: what a program built on CGAL could not do without.
 //
-//   bench_compare_pipeline [--rounds N] [--mode MODE] [--threads N] FILE...      sections, as crossloft
-//   reconstruct reads them
+//   bench_compare_pipeline [--rounds N] [--mode MODE] [--threads N] [--plain] FILE...      sections, as
+//   crossloft reconstruct reads them; --plain: no points inside cells, each cell decides by itself
 //
 // Medians of N rounds (3), in seconds: of processor time with one thread, which CGAL has always; of the clock
 // with more.
@@ -102,11 +102,14 @@ int main(int count, char** words) {
       threads = std::atoi(words[++i]);
     else if (word == "--mode" && i + 1 < count)
       good = set_mode(words[++i], options) && good;
+    else if (word == "--plain")
+      options.natural.divide = options.natural.look_around = InCells::off;
     else
       files.push_back(words[i]);
   }
   if (!good || rounds < 1 || threads < 1 || files.empty()) {
-    std::fprintf(stderr, "usage: bench_compare_pipeline [--rounds N] [--mode MODE] [--threads N] FILE...\n");
+    std::fprintf(
+        stderr, "usage: bench_compare_pipeline [--rounds N] [--mode MODE] [--threads N] [--plain] FILE...\n");
     return 2;
   }
   for (const char* file : files)

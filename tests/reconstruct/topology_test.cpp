@@ -1,5 +1,6 @@
 /// The mode natural on solids whose topology is known, and what the user can steer.
 
+#include <algorithm>
 #include <cmath>
 
 #include "../../inspect/check.h"
@@ -158,6 +159,20 @@ TEST_CASE("where confidences are in doubt, the sections around a cell tell that 
   const CheckReport report = check_surface(r.surface);
   CHECK(report.genus == 1);
   CHECK(report.components.size() == 1);
+}
+
+TEST_CASE("two balls with a gap stay two where several planes meet both in a cell") {
+  // The function through the sections is a little above 0 in a gap that is narrower than its samples are
+  // apart, and these two were one until the planes that had to miss a join between them counted.
+  const auto ball = [](const Vec3& p, double x) { return norm(p - Vec3{x, 0, 0}) - 0.5; };
+  const Surface mesh = implicit_solid([&](const Vec3& p) { return std::min(ball(p, -0.54), ball(p, 0.54)); },
+                                      Bounds{{-1.2, -0.7, -0.7}, {1.2, 0.7, 0.7}}, 40);
+  REQUIRE(check_surface(mesh).components.size() == 2);
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    CAPTURE(seed);
+    const auto planes = random_planes(bounds_of(mesh.points), 20, seed);
+    CHECK(check_surface(cut_and_rebuild(mesh, planes).surface).components.size() == 2);
+  }
 }
 
 TEST_CASE("handles that joint makes are gone, and every section is still met") {
