@@ -203,11 +203,14 @@ class JoinStudy : public Observer {
   }
 
   void study(const CellUnderStudy& cell) {
+    std::vector<Vec3> points;  // of the faces, as in likely_joins.cpp
+    for (std::uint32_t v = 0; v < cell.shape.points.size(); ++v)
+      if (!cell.complex.is_interior(v)) points.push_back(cell.shape.points[v]);
     Vec3 centre;
-    for (const Vec3& p : cell.shape.points) centre = centre + p;
-    centre = (1 / static_cast<double>(cell.shape.points.size())) * centre;
+    for (const Vec3& p : points) centre = centre + p;
+    centre = (1 / static_cast<double>(points.size())) * centre;
     double radius = 0;
-    for (const Vec3& p : cell.shape.points) radius = std::max(radius, norm(p - centre));
+    for (const Vec3& p : points) radius = std::max(radius, norm(p - centre));
     const auto f = SmoothFunction::through(field_->samples(centre, 1.1 * radius), centre, radius);
     if (!f) return;
     Joining(cell).run(by_confidence(cell), run_, decisions_["confidence"]);

@@ -25,7 +25,7 @@ inline double squared_distance(const Bounds& box, const Vec3& p) {
   return dot(d, d);
 }
 
-/// Static tree, split at the median of the longest side, O(n log n) to build. Items are numbered as given;
+/// Static tree, split across the longest side, O(n log n) to build. Items are numbered as given;
 /// the order in which a query meets them is not specified.
 class BoxTree {
  public:
@@ -64,6 +64,7 @@ class BoxTree {
     std::uint32_t right = 0;           // second child, the first is the next node; 0 if a leaf
   };
 
+  std::uint32_t split(std::uint32_t begin, std::uint32_t end);
   std::uint32_t build(std::uint32_t begin, std::uint32_t end);
 
   template <class Visit>
