@@ -273,7 +273,7 @@ void print_with_planes(const std::string& name, std::vector<Decision> decisions)
     std::vector<Decision> some;
     std::copy_if(decisions.begin(), decisions.end(), std::back_inserter(some),
                  [&](const Decision& d) { return std::min(d.planes, kManyPlanes) == planes; });
-    if (!some.empty()) print("  planes " + std::to_string(planes), some);
+    if (!some.empty()) print("  planes " + std::to_string(planes) + (planes == kManyPlanes ? "+" : ""), some);
   }
 }
 

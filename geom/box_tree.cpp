@@ -36,7 +36,7 @@ std::uint32_t BoxTree::split(std::uint32_t begin, std::uint32_t end) {
   const auto first = items_.begin() + begin, last = items_.begin() + end;
   const auto parted = std::partition(first, last, [&](const Item& item) { return at(item) < half; });
   const auto left = static_cast<std::uint32_t>(parted - first), right = end - begin - left;
-  if (std::min(left, right) >= (end - begin) / kLeastPart && left != 0) return begin + left;
+  if (std::min(left, right) >= std::max(1U, (end - begin) / kLeastPart)) return begin + left;
   const std::uint32_t middle = (end - begin) / 2;
   std::nth_element(first, first + middle, last, [&](const Item& a, const Item& b) { return at(a) < at(b); });
   return begin + middle;

@@ -15,16 +15,16 @@ namespace crossloft {
 namespace {
 
 constexpr double kSurelyApart = -0.5, kSurelyJoined = 0.05;
-/// The same of bodies that kSeen planes or more meet each: what joins them, one of these had to miss.
+/// The same of bodies that kPlanesToSee planes or more meet each: what joins them, each of these had to miss.
 constexpr double kSurelyJoinedIfSeen = 0.25;
-constexpr std::size_t kSeen = 3;
+constexpr std::size_t kPlanesToSee = 3;
 /// How far the function looks, in radii of the cell: a little beyond it, into the planes around.
 constexpr double kReach = 1.1;
 /// What the function must exceed, in radii of the cell. Samples are a sixth of one apart: a gap that is
 /// narrower than that does not show, and the function is a little above 0 in it. Less in tetrahedra that are
 /// kept already.
 constexpr double kLeastValue = 0.04, kLeastWhereKept = 0.01;
-/// Between bodies that kSeen planes meet each, one more, and still more.
+/// Between bodies that kPlanesToSee planes meet each, one more, and still more.
 constexpr std::array<double, 3> kLeastIfSeen{0.05, 0.06, 0.12};
 
 /// With more sections in a cell they are small against it, and the samples too far apart to tell them from
@@ -98,7 +98,7 @@ std::vector<std::int32_t> sure_above(std::span<const Join> joins, std::span<cons
   std::vector<std::int32_t> sure;
   for (const Join& j : joins) {
     const auto pair = bodies_of(j, parts, bodies);
-    const bool seen = pair && bodies.planes_at_both((*pair)[0], (*pair)[1]) >= kSeen;
+    const bool seen = pair && bodies.planes_at_both((*pair)[0], (*pair)[1]) >= kPlanesToSee;
     sure.push_back(as_integer(seen ? kSurelyJoinedIfSeen : kSurelyJoined));
     if (pair) bodies.join((*pair)[0], (*pair)[1]);
   }
@@ -111,20 +111,24 @@ bool has_doubt(std::span<const Join> joins, std::span<const std::int32_t> sure) 
   });
 }
 
-/// Whether parts that are surely one body by their confidence are so in `wanted`: else the function does not
-/// see what it is to decide.
+/// Whether bodies that are surely one by their confidence are so in `wanted`, or parts of them: else the
+/// function does not see what it is to decide.
 bool sees_sure_joins(std::span<const Join> possible, std::span<const std::int32_t> sure,
                      std::span<const SectionPart> parts, DisjointSets& wanted) {
-  const auto is_seen = [&](const Join& j) {
-    for (const SectionPart& p : parts)
-      for (const SectionPart& q : parts)
-        if (p.number != q.number && p.vertices.front() == j.a && q.vertices.front() == j.b &&
-            wanted.find(p.number) == wanted.find(q.number))
+  SeenBodies bodies(parts);
+  const auto are_one = [&](std::uint32_t a, std::uint32_t b) {
+    for (std::uint32_t p = 0; p < parts.size(); ++p)
+      for (std::uint32_t q = 0; q < parts.size(); ++q)
+        if (bodies.body_of(p) == a && bodies.body_of(q) == b &&
+            wanted.find(parts[p].number) == wanted.find(parts[q].number))
           return true;
     return false;
   };
-  for (std::size_t k = 0; k < possible.size(); ++k)
-    if (possible[k].confidence > sure[k] && !is_seen(possible[k])) return false;
+  for (std::size_t k = 0; k < possible.size(); ++k) {
+    const auto pair = bodies_of(possible[k], parts, bodies);
+    if (possible[k].confidence > sure[k] && !(pair && are_one((*pair)[0], (*pair)[1]))) return false;
+    if (pair) bodies.join((*pair)[0], (*pair)[1]);
+  }
   return true;
 }
 
@@ -142,8 +146,8 @@ class WaysBetweenSeen {
     for (std::uint32_t i = 0; i < parts.size(); ++i) part_[pieces_.find(parts[i].number)] = i;
   }
 
-  /// The next one by falling value. What would join bodies that it may not is on no way.
-  void add(std::uint32_t t, std::int32_t value) {
+  /// The next one by falling value. False if it would join bodies that it may not: it is on no way then.
+  bool add(std::uint32_t t, std::int32_t value) {
     std::array<std::uint32_t, 4> bodies;
     std::size_t count = 0;
     for_pieces_at(t, [&](std::uint32_t piece) {
@@ -152,11 +156,13 @@ class WaysBetweenSeen {
     });
     for (std::size_t i = 0; i < count; ++i)
       for (std::size_t j = 0; j < i; ++j)
-        if (bodies[i] != bodies[j] && value <= least(bodies_.planes_at_both(bodies[i], bodies[j]))) return;
+        if (bodies[i] != bodies[j] && value <= least(bodies_.planes_at_both(bodies[i], bodies[j])))
+          return false;
     for (std::size_t i = 1; i < count; ++i) bodies_.join(bodies_.body_of(bodies[0]), bodies[i]);
     for_pieces_at(t, [&](std::uint32_t piece) { pieces_.join(of_tet(t), piece); });
     part_[pieces_.find(of_tet(t))] = count == 0 ? kNone : bodies[0];
     added_[t] = 1;
+    return true;
   }
 
   std::uint32_t body_of(std::uint32_t part) { return bodies_.body_of(part); }
@@ -174,7 +180,9 @@ class WaysBetweenSeen {
   }
 
   static std::int32_t least(std::size_t planes) {
-    return planes < kSeen ? 0 : as_integer(kLeastIfSeen[std::min(planes - kSeen, kLeastIfSeen.size() - 1)]);
+    return planes < kPlanesToSee
+               ? 0
+               : as_integer(kLeastIfSeen[std::min(planes - kPlanesToSee, kLeastIfSeen.size() - 1)]);
   }
 
   const CellComplex& complex_;
@@ -185,26 +193,25 @@ class WaysBetweenSeen {
   std::vector<std::uint8_t> added_;
 };
 
-/// Whether two of the bodies in `wanted` may be parts that kSeen planes meet each.
-bool may_be_seen(std::span<const SectionPart> parts, DisjointSets& wanted) {
-  return std::any_of(parts.begin(), parts.end(), [&](const SectionPart& part) {
-    std::size_t planes = 0;
-    for (const SectionPart& p : parts)
-      if (wanted.find(p.number) == wanted.find(part.number)) planes += p.faces.size();
-    return planes >= 2 * kSeen;
-  });
+/// Whether these parts may become two bodies that kPlanesToSee planes meet each.
+bool may_be_seen(std::span<const SectionPart> parts) {
+  std::size_t planes = 0;
+  for (const SectionPart& part : parts) planes += part.faces.size();
+  return planes >= 2 * kPlanesToSee;
 }
 
-/// Parts by the sets they are in where the function is large enough on a way between them.
+/// Parts by the sets they are in where the function is large enough on a way between them. What would join
+/// others is taken out of what is `above`.
 DisjointSets wanted_parts(const CellComplex& complex, const CellShape& shape, const Ground& ground,
                           std::span<const SectionPart> parts, const SmoothFunction& f, Reached& above) {
-  if (!may_be_seen(parts, above.parts)) return above.parts;
+  if (!may_be_seen(parts)) return above.parts;
   std::vector<std::int32_t> value(complex.mesh.size(), 0);
   for (std::uint32_t t = 0; t < value.size(); ++t)
     if (above.inside[t] != 0)
       value[t] = as_integer(std::clamp(largest_value(complex, shape, f, 1, t), 0.0, 1.0));
   WaysBetweenSeen ways(complex, ground, parts);
-  for (const std::uint32_t t : by_confidence(complex, above.inside, value)) ways.add(t, value[t]);
+  for (const std::uint32_t t : by_confidence(complex, above.inside, value))
+    above.inside[t] = ways.add(t, value[t]);
   DisjointSets wanted(ground.size());
   for (std::uint32_t i = 0; i < parts.size(); ++i)
     wanted.join(parts[ways.body_of(i)].number, parts[i].number);
@@ -220,9 +227,10 @@ bool is_in_doubt(std::int32_t confidence) {
 bool are_sure(const CellComplex& complex, const Ground& ground, std::span<const Join> joins) {
   if (joins.empty() || joins.back().confidence > as_integer(kSurelyJoinedIfSeen)) return true;
   if (joins.back().confidence <= as_integer(kSurelyJoined)) return false;
-  const std::vector<std::int32_t> sure = sure_above(joins, section_parts(complex, ground));
-  return std::equal(joins.begin(), joins.end(), sure.begin(),
-                    [](const Join& j, std::int32_t above) { return j.confidence > above; });
+  const std::uint32_t count = ground.part_count();
+  if (count > kMostParts) return true;
+  const std::vector<SectionPart> parts = section_parts(complex, ground);
+  return count == 2 ? joins[0].confidence > sure_above(joins, parts)[0] : !may_be_seen(parts);
 }
 
 std::optional<JoinPlan> plan_joins(const CellComplex& complex, const CellShape& shape, const Ground& ground,
@@ -230,11 +238,11 @@ std::optional<JoinPlan> plan_joins(const CellComplex& complex, const CellShape& 
                                    std::span<const std::uint32_t> body_in_r1,
                                    const std::vector<std::uint8_t>& kept,
                                    const std::function<std::int32_t(std::uint32_t)>& measure) {
+  if (ground.part_count() > kMostParts) return std::nullopt;
   const std::vector<Join> possible = find_widest_ways(complex, ground, r1, body_in_r1, measure);
   const std::vector<SectionPart> parts = section_parts(complex, ground);
   const std::vector<std::int32_t> sure = sure_above(possible, parts);
   if (!has_doubt(possible, sure)) return std::nullopt;
-  if (parts.size() > kMostParts) return std::nullopt;
   const auto f = function_around(complex, shape);
   if (!f) return std::nullopt;
   Reached above = reach(complex, ground, [&](std::uint32_t t) {

@@ -18,13 +18,14 @@
 
 namespace crossloft {
 
-/// Whether a join with this confidence is in doubt. Of the joins that docs/natural.md counts, those with
-/// others need no second opinion: they are sure, or surely refused. Between two bodies that three or more
-/// planes meet each, more confident ones are in doubt, too: of what would join them none of these planes has
-/// met anything.
+/// Whether a join with this confidence is in doubt, whatever the planes. Of the joins that docs/natural.md
+/// counts, those with others need no second opinion: they are sure, or surely refused.
 bool is_in_doubt(std::int32_t confidence);
-/// Whether all of these joins, the most confident first, are sure. O(1) if that does not depend on the
-/// planes, else O(n log n).
+/// Whether all of these joins, the most confident first, are sure, and so all others that make the same body:
+/// plan_joins() has nothing to say of it. Between two bodies that three or more planes meet each, more
+/// confident joins are in doubt, too: of what would join them none of these planes has met anything. With
+/// more than two sections, where that depends on the order of joins, only if no two such bodies can be made
+/// of them. O(1) if the planes do not matter, else O(n log n).
 bool are_sure(const CellComplex& complex, const Ground& ground, std::span<const Join> joins);
 
 /// What growth is to do otherwise.

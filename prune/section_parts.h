@@ -31,7 +31,7 @@ class SeenBodies {
   explicit SeenBodies(std::span<const SectionPart> parts);
 
   std::uint32_t body_of(std::uint32_t part) { return sets_.find(part); }
-  /// How many planes meet the one of two bodies that fewer meet.
+  /// How many planes meet the one of two bodies that fewer meet. REQUIRES, like join(): they are body_of().
   std::size_t planes_at_both(std::uint32_t a, std::uint32_t b) const;
   void join(std::uint32_t a, std::uint32_t b);
 
@@ -41,7 +41,8 @@ class SeenBodies {
 };
 
 /// The two bodies of a join in the order of joins. It names one part of each by its smallest vertex, which
-/// parts that touch may have in common: then the first that are not one yet. Nothing if there are none.
+/// parts that touch may have in common: then the first that are not one yet, which need not be the right
+/// ones. Nothing if there are none.
 std::optional<std::array<std::uint32_t, 2>> bodies_of(const Join& join, std::span<const SectionPart> parts,
                                                       SeenBodies& bodies);
 

@@ -2,7 +2,7 @@
 // same cells' points, in turns in one process: what a program built on CGAL could not do without.
 //
 //   bench_compare_pipeline [--rounds N] [--mode MODE] [--threads N] [--plain] FILE...      sections, as
-//   crossloft reconstruct reads them; --plain: no points inside cells, each cell decides by itself
+//   crossloft reconstruct reads them; --plain: no points inside cells, joins in doubt not looked into
 //
 // Medians of N rounds (3), in seconds: of processor time with one thread, which CGAL has always; of the clock
 // with more.

@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
+#include <functional>
 #include <random>
 #include <set>
 #include <utility>
@@ -23,30 +25,52 @@ std::vector<Bounds> random_boxes(std::uint32_t count, std::uint32_t seed) {
   return boxes;
 }
 
+/// Against a search through all.
+void check_tree(const std::vector<Bounds>& boxes, const std::vector<Bounds>& queries) {
+  const BoxTree tree(boxes);
+  CHECK(tree.empty() == boxes.empty());
+  for (const Bounds& query : queries) {
+    std::multiset<std::uint32_t> found, expected;
+    double nearest = Bounds::kFar;
+    for (std::uint32_t i = 0; i < boxes.size(); ++i) {
+      if (overlap(boxes[i], query)) expected.insert(i);
+      nearest = std::min(nearest, squared_distance(boxes[i], query.low));
+    }
+    tree.for_overlaps(query, [&](std::uint32_t i) { found.insert(i); });
+    CHECK(found == expected);
+    const auto distance2 = [&](std::uint32_t i) { return squared_distance(boxes[i], query.low); };
+    CHECK(tree.nearest(query.low, distance2) == nearest);
+  }
+  std::multiset<std::pair<std::uint32_t, std::uint32_t>> found, expected;
+  for (std::uint32_t i = 0; i < boxes.size(); ++i)
+    for (std::uint32_t j = 0; j < i; ++j)
+      if (overlap(boxes[i], boxes[j])) expected.insert({j, i});
+  tree.for_pairs([&](std::uint32_t i, std::uint32_t j) { found.insert(std::minmax(i, j)); });
+  CHECK(found == expected);
+}
+
+/// Points on the x axis.
+std::vector<Bounds> points(std::uint32_t count, const std::function<double(std::uint32_t)>& x) {
+  std::vector<Bounds> boxes;
+  for (std::uint32_t i = 0; i < count; ++i) boxes.push_back({{x(i), 0, 0}, {x(i), 0, 0}});
+  return boxes;
+}
+
 }  // namespace
 
 TEST_CASE("overlaps, pairs and the nearest box are those of a search through all") {
   for (std::uint32_t seed = 0; seed < 20; ++seed) {
     CAPTURE(seed);
-    const auto boxes = random_boxes(seed * 15, seed), queries = random_boxes(20, seed + 100);
-    const BoxTree tree(boxes);
-    CHECK(tree.empty() == boxes.empty());
-    for (const Bounds& query : queries) {
-      std::multiset<std::uint32_t> found, expected;
-      double nearest = Bounds::kFar;
-      for (std::uint32_t i = 0; i < boxes.size(); ++i) {
-        if (overlap(boxes[i], query)) expected.insert(i);
-        nearest = std::min(nearest, squared_distance(boxes[i], query.low));
-      }
-      tree.for_overlaps(query, [&](std::uint32_t i) { found.insert(i); });
-      CHECK(found == expected);
-      CHECK(tree.nearest(query.low, [&](std::uint32_t i) { return squared_distance(boxes[i], query.low); }) == nearest);
-    }
-    std::multiset<std::pair<std::uint32_t, std::uint32_t>> found, expected;
-    for (std::uint32_t i = 0; i < boxes.size(); ++i)
-      for (std::uint32_t j = 0; j < i; ++j)
-        if (overlap(boxes[i], boxes[j])) expected.insert({j, i});
-    tree.for_pairs([&](std::uint32_t i, std::uint32_t j) { found.insert(std::minmax(i, j)); });
-    CHECK(found == expected);
+    check_tree(random_boxes(seed * 15, seed), random_boxes(20, seed + 100));
+  }
+}
+
+TEST_CASE("boxes in one place, or ever nearer together, or as far apart as can be: a tree all the same") {
+  const auto queries = random_boxes(20, 7);
+  for (const std::uint32_t count : {5U, 7U, 100U}) {
+    check_tree(points(count, [](std::uint32_t) { return 3.0; }), queries);
+    check_tree(points(count, [](std::uint32_t i) { return std::ldexp(1.0, -static_cast<int>(i)); }), queries);
+    check_tree(points(count, [](std::uint32_t i) { return i == 0 ? 3.0 : 3.5; }), queries);
+    check_tree(points(count, [](std::uint32_t i) { return 1e307 * (i % 9); }), queries);
   }
 }

@@ -66,7 +66,10 @@ TEST_CASE("random cells: parts have the vertices and faces of their triangles, w
     const CellComplex other = shuffled(placed.complex, random, from);
     const std::vector<SectionPart> again = section_parts(other, Ground(other));
     REQUIRE(again.size() == parts.size());
-    for (std::size_t i = 0; i < parts.size(); ++i) CHECK(again[i].vertices == parts[i].vertices);
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      CHECK(again[i].vertices == parts[i].vertices);
+      CHECK(again[i].faces.size() == parts[i].faces.size());
+    }
   }
   CHECK(several > 20);
 }
