@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
 #include "../arrangement/directions.h"
 #include "../arrangement/normalise.h"
@@ -29,9 +30,9 @@ Vec3 unit_of(const LatticeVector& direction) {
 /// The ends of a plane's walls along its normal; twice the foot of the origin if there are none.
 using Ends = std::array<Vec3, 2>;
 
-Ends ends_along(const Vec3& unit, const WallSection& plane) {
+Ends ends_along(const Vec3& unit, const WallSection& plane, const Vec3& origin) {
   if (plane.vertices.empty()) {
-    const Vec3 n = plane.normal, foot = (-plane.offset / dot(n, n)) * n;
+    const Vec3 n = plane.normal, foot = origin - ((dot(n, origin) + plane.offset) / dot(n, n)) * n;
     return {foot, foot};
   }
   const auto [low, high] =
@@ -47,14 +48,22 @@ double largest_coordinate(const Bounds& box) {
   return box.empty() ? 0 : largest;
 }
 
-/// Frames order planes along the normal that they fit to the direction. Its first component that is not 0 is
-/// positive, as that of the direction: but where the direction has one next to 0 the normal may have none
-/// there, and be turned round.
-bool turns_round(const LatticeVector& direction, const Bounds& box) {
+/// How frames see the stack: the normal that they fit to the direction, and the origin of their grid. The
+/// normal may be turned round against the direction: its first component that is not 0 is positive, and where
+/// the direction has one next to 0 the normal may have none there.
+struct StackFrame {
+  Vec3 unit, origin;
+  double tilt = 0;  ///< sine of the angle between them
+};
+
+StackFrame frame_of(const LatticeVector& direction, const Bounds& box) {
+  const Vec3 unit = unit_of(direction);
   const double diagonal = diagonal_of(box);
-  if (diagonal == 0) return false;  // frames make nothing of it
-  const double radius = std::ceil(diagonal / WorldGrid(box.low, box.high).unit() / 2);
-  return dot(unit_of(fit_normal(direction, static_cast<std::int64_t>(radius))), unit_of(direction)) < 0;
+  if (diagonal == 0) return {unit, {}};  // frames make nothing of it
+  const WorldGrid grid(box.low, box.high);
+  const double radius = std::ceil(diagonal / grid.unit() / 2);
+  const Vec3 fitted = unit_of(fit_normal(direction, static_cast<std::int64_t>(radius)));
+  return {fitted, grid.from_lattice(LatticePoint{}), norm(cross(unit, fitted))};
 }
 
 Error not_parallel(const std::string& file, const PlaneSection& plane, std::uint32_t position) {
@@ -79,7 +88,7 @@ class Surveyor {
     if (!walls) return walls.error();
     const PlaneSection& p = alone.planes[0];
     if (auto good = take_direction(p, position); !good) return good;
-    ends_.push_back(ends_along(unit_of(directions_[0]), walls->front()));
+    ends_.push_back(ends_along(unit_of(directions_[0]), walls->front(), {}));
     out_.vertices.push_back(static_cast<std::uint32_t>(p.vertices.size()));
     boxes_.push_back(bounds_of(walls->front().vertices));
     triangles_.push_back(least_triangle(walls->front()));
@@ -107,28 +116,41 @@ class Surveyor {
 
   /// One of those, without what is dropped.
   Result<Done> take_again(std::uint32_t position, PlaneSection plane) {
-    Sections alone{name_, {}, PartOf{{position}, {}}};
-    alone.planes.push_back(std::move(plane));
-    auto walls = walls_of(alone);
-    if (!walls) return walls.error();
-    WallSection& section = walls->front();
-    drop_flat(section, diagonal_of(out_.extent));
-    ends_[position] = ends_along(unit_of(directions_[0]), section);
-    boxes_[position] = bounds_of(section.vertices);
-    return Done{};
+    return take_along(unit_of(directions_[0]), {}, position, std::move(plane));
+  }
+
+  /// Once all are there. Frames place a plane half way between its ends along the fitted normal. Along the
+  /// direction these are off by less than the tilt times the diagonal, for each of two planes, and as much
+  /// lies between their middles: the planes for which that may count.
+  std::vector<std::uint32_t> fit() {
+    for (const Bounds& box : boxes_) out_.wide.join(box);
+    if (out_.wide.empty()) out_.wide = out_.extent;
+    frame_ = frame_of(out_.direction, out_.wide);
+    const Vec3 unit = unit_of(out_.direction);
+    offsets_ = offsets_along(unit);
+    const double reach = 4 * frame_.tilt * diagonal_of(out_.wide);
+    if (reach <= near()) {
+      frame_.unit = dot(unit, frame_.unit) < 0 ? -unit : unit;
+      return {};
+    }
+    const std::vector<std::uint32_t> order = ascending(offsets_);
+    std::vector<std::uint32_t> close;
+    for (std::uint32_t r = 0; r < order.size(); ++r)
+      if ((r > 0 && offsets_[order[r]] - offsets_[order[r - 1]] <= reach + near()) ||
+          (r + 1 < order.size() && offsets_[order[r + 1]] - offsets_[order[r]] <= reach + near()))
+        close.push_back(order[r]);
+    return close;
+  }
+
+  /// One of these.
+  Result<Done> take_fitted(std::uint32_t position, PlaneSection plane) {
+    return take_along(frame_.unit, frame_.origin, position, std::move(plane));
   }
 
   StackPlanes finish() {
-    for (const Bounds& box : boxes_) out_.wide.join(box);
-    if (out_.wide.empty()) out_.wide = out_.extent;
-    Vec3 unit = unit_of(out_.direction);
-    if (turns_round(out_.direction, out_.wide)) unit = -unit;
-    std::vector<double> offsets;  // half way between the ends, as frames place a plane
-    for (const auto& [low, high] : ends_) offsets.push_back(dot(unit, low) / 2 + dot(unit, high) / 2);
-    for (std::uint32_t p = 0; p < offsets.size(); ++p) out_.positions.push_back(p);
-    std::stable_sort(out_.positions.begin(), out_.positions.end(),
-                     [&](std::uint32_t a, std::uint32_t b) { return offsets[a] < offsets[b]; });
-    find_levels(offsets);
+    const std::vector<double> fitted = offsets_along(frame_.unit);
+    out_.positions = ascending(fitted);
+    find_levels(fitted);
     return std::move(out_);
   }
 
@@ -143,11 +165,59 @@ class Surveyor {
     return Done{};
   }
 
+  Result<Done> take_along(const Vec3& unit, const Vec3& origin, std::uint32_t position, PlaneSection plane) {
+    Sections alone{name_, {}, PartOf{{position}, {}}};
+    alone.planes.push_back(std::move(plane));
+    auto walls = walls_of(alone);
+    if (!walls) return walls.error();
+    WallSection& section = walls->front();
+    drop_flat(section, diagonal_of(out_.extent));
+    ends_[position] = ends_along(unit, section, origin);
+    boxes_[position] = bounds_of(section.vertices);
+    return Done{};
+  }
+
+  /// What is less apart is one level.
+  double near() const {
+    return kOneLevel * diagonal_of(out_.wide) + kRounding * largest_coordinate(out_.wide);
+  }
+
+  /// By position: half way between the ends, as frames place a plane.
+  std::vector<double> offsets_along(const Vec3& unit) const {
+    std::vector<double> offsets;
+    for (const auto& [low, high] : ends_) offsets.push_back(dot(unit, low) / 2 + dot(unit, high) / 2);
+    return offsets;
+  }
+
+  static std::vector<std::uint32_t> ascending(const std::vector<double>& offsets) {
+    std::vector<std::uint32_t> order(offsets.size());
+    std::iota(order.begin(), order.end(), 0U);
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::uint32_t a, std::uint32_t b) { return offsets[a] < offsets[b]; });
+    return order;
+  }
+
+  /// Planes that are one along the direction are so in frames, too, wherever the fitted normal has them: what
+  /// is between them then is one level with them.
+  std::vector<std::uint8_t> inner_ranks() const {
+    std::vector<std::uint32_t> rank(out_.positions.size());
+    for (std::uint32_t r = 0; r < rank.size(); ++r) rank[out_.positions[r]] = r;
+    std::vector<std::uint8_t> inner(rank.size() + 1, 0);
+    const std::vector<std::uint32_t> order = ascending(offsets_);
+    for (std::uint32_t r = 1; r < order.size(); ++r) {
+      const std::uint32_t a = rank[order[r - 1]], b = rank[order[r]];
+      if (offsets_[order[r]] - offsets_[order[r - 1]] <= near())
+        std::fill(inner.begin() + std::min(a, b) + 1, inner.begin() + std::max(a, b) + 1, std::uint8_t{1});
+    }
+    return inner;
+  }
+
   void find_levels(const std::vector<double>& offsets) {
-    const double near = kOneLevel * diagonal_of(out_.wide) + kRounding * largest_coordinate(out_.wide);
     auto& positions = out_.positions;
+    const std::vector<std::uint8_t> inner = inner_ranks();
     for (std::uint32_t r = 0; r < positions.size(); ++r)
-      if (r == 0 || offsets[positions[r]] - offsets[positions[r - 1]] > near) out_.begin_of.push_back(r);
+      if (r == 0 || (inner[r] == 0 && offsets[positions[r]] - offsets[positions[r - 1]] > near()))
+        out_.begin_of.push_back(r);
     out_.begin_of.push_back(static_cast<std::uint32_t>(positions.size()));
     out_.level_of.resize(positions.size());
     for (std::uint32_t l = 0; l < out_.levels(); ++l) {
@@ -163,6 +233,8 @@ class Surveyor {
   std::vector<Ends> ends_;                 ///< by position, like the others
   std::vector<double> triangles_;
   std::vector<Bounds> boxes_;
+  std::vector<double> offsets_;  ///< along the direction
+  StackFrame frame_;
   StackPlanes out_;
 };
 
@@ -181,12 +253,18 @@ Result<StackPlanes> survey(SectionSource& source, const Context& context) {
     if (auto good = surveyor.take(std::move(plane).value()); !good) return good.error();
   }
   if (auto good = surveyor.unify(); !good) return good.error();
-  for (const std::uint32_t p : surveyor.in_doubt()) {
-    if (context.cancelled()) return make_error(ErrorCode::cancelled, "cancelled");
-    auto plane = source.read(p);
-    if (!plane) return plane.error();
-    if (auto good = surveyor.take_again(p, std::move(plane).value()); !good) return good.error();
-  }
+  using Take = Result<Done> (Surveyor::*)(std::uint32_t, PlaneSection);
+  const auto read_again = [&](const std::vector<std::uint32_t>& positions, Take take) -> Result<Done> {
+    for (const std::uint32_t p : positions) {
+      if (context.cancelled()) return make_error(ErrorCode::cancelled, "cancelled");
+      auto plane = source.read(p);
+      if (!plane) return plane.error();
+      if (auto good = (surveyor.*take)(p, std::move(plane).value()); !good) return good;
+    }
+    return Done{};
+  };
+  if (auto good = read_again(surveyor.in_doubt(), &Surveyor::take_again); !good) return good.error();
+  if (auto good = read_again(surveyor.fit(), &Surveyor::take_fitted); !good) return good.error();
   return surveyor.finish();
 }
 

@@ -26,9 +26,10 @@ struct StackPlanes {
   }
 };
 
-/// Reads every plane once, those with contours that may have no area twice. Errors: those of the source,
-/// those of numbers and of contours that are not closed, and usage if a plane is not parallel to the first
-/// (directions.h).
+/// Reads every plane once, those with contours that may have no area once more, and once more those that
+/// frames may put in another order, as the normal that they fit is tilted against the planes'. Errors: those
+/// of the source, those of numbers and of contours that are not closed, and usage if a plane is not parallel
+/// to the first (directions.h).
 Result<StackPlanes> survey(SectionSource& source, const Context& context);
 
 /// The planes of levels [first, last), as a part of the whole. Error: of the source.
