@@ -136,7 +136,8 @@ class Surveyor {
     const std::vector<std::uint32_t> order = ascending(offsets_);
     std::vector<std::uint32_t> close;
     for (std::uint32_t r = 0; r < order.size(); ++r)
-      if ((r > 0 && offsets_[order[r]] - offsets_[order[r - 1]] <= reach + near()) ||
+      if (boxes_[order[r]].empty() ||
+          (r > 0 && offsets_[order[r]] - offsets_[order[r - 1]] <= reach + near()) ||
           (r + 1 < order.size() && offsets_[order[r + 1]] - offsets_[order[r]] <= reach + near()))
         close.push_back(order[r]);
     return close;

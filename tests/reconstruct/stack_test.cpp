@@ -235,18 +235,21 @@ TEST_CASE("Planes come in the order of the frame where its normal is turned roun
 // stress --seed 3000 --first 775535: the fitted normal is (0, 1, 0), along which the planes are in another
 // order than along their own, as their sections are far apart.
 TEST_CASE("Planes come in the order of the frame where its normal is tilted by more than they are apart") {
-  Sections sections;
-  for (std::uint32_t k = 0; k < 60; ++k) {
-    PlaneSection& plane = sections.planes.emplace_back();
-    plane.normal = {7e-8, 1, 1e-8};
-    plane.offset = -3 - 1.6e-7 * k;
-    if (k == 5) continue;  // empty
-    const double x = k % 3 == 0 ? -6 : k % 3 == 1 ? 5 : -0.5;
-    for (const auto& [dx, z] : {std::pair{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}})
-      plane.vertices.push_back({x + dx, -plane.offset - 7e-8 * (x + dx) - 1e-8 * z, z});
-    for (std::uint32_t i = 0; i < 4; ++i) plane.edges.push_back({i, (i + 1) % 4});
+  // Near the origin, and where the foot of it on the empty plane is far off (463719).
+  for (const auto& [far, apart] : {std::pair{0.0, 1.6e-7}, {1e4, 1e-4}}) {
+    Sections sections;
+    for (std::uint32_t k = 0; k < 60; ++k) {
+      PlaneSection& plane = sections.planes.emplace_back();
+      plane.normal = {7e-8, 1, 1e-8};
+      plane.offset = -3 - apart * k;
+      if (k == 5) continue;  // empty
+      const double x = far + (k % 3 == 0 ? -6 : k % 3 == 1 ? 5 : -0.5);
+      for (const auto& [dx, z] : {std::pair{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}})
+        plane.vertices.push_back({x + dx, -plane.offset - 7e-8 * (x + dx) - 1e-8 * z, z});
+      for (std::uint32_t i = 0; i < 4; ++i) plane.edges.push_back({i, (i + 1) % 4});
+    }
+    check_streamed(sections, {}, 4);  // all are read once more
   }
-  check_streamed(sections, {}, 4);  // all are read once more
 }
 
 TEST_CASE("One window is enough for a small stack, and windows hold what they are asked to") {
