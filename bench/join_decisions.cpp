@@ -13,6 +13,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <iterator>
+#include <limits>
 #include <map>
 #include <optional>
 #include <set>
@@ -21,10 +22,10 @@
 
 #include "../geom/disjoint_sets.h"
 #include "../prune/confidence.h"
+#include "../prune/likely_joins.h"
 #include "../prune/prune.h"
 #include "../prune/section_field.h"
 #include "../prune/section_parts.h"
-#include "../prune/smooth_function.h"
 #include "../prune/star.h"
 #include "../reconstruct/observer.h"
 #include "../reconstruct/pruning_input.h"
@@ -139,20 +140,11 @@ std::vector<double> by_confidence(const CellUnderStudy& cell) {
   return measure;
 }
 
-/// The largest value at a tetrahedron's five points (likely_joins.cpp).
 std::vector<double> by_function(const CellUnderStudy& cell, const SmoothFunction& f) {
   std::vector<double> measure(cell.r1.size(), -1);
-  const auto& at = cell.shape.points;
-  for (std::uint32_t t = 0; t < cell.r1.size(); ++t) {
-    if (cell.r1[t] == 0) continue;
-    const auto& v = cell.complex.mesh.vertices[t];
-    const Vec3 centroid = 0.25 * ((at[v[0]] + at[v[1]]) + (at[v[2]] + at[v[3]]));
-    measure[t] = f.at(centroid, centroid)[0];
-    for (unsigned k = 0; k < 4; k += 2) {
-      const auto values = f.at(0.5 * (centroid + at[v[k]]), 0.5 * (centroid + at[v[k + 1]]));
-      measure[t] = std::max(measure[t], std::max(values[0], values[1]));
-    }
-  }
+  for (std::uint32_t t = 0; t < cell.r1.size(); ++t)
+    if (cell.r1[t] != 0)
+      measure[t] = largest_value(cell.complex, cell.shape, f, std::numeric_limits<double>::infinity(), t);
   return measure;
 }
 
@@ -203,15 +195,7 @@ class JoinStudy : public Observer {
   }
 
   void study(const CellUnderStudy& cell) {
-    std::vector<Vec3> points;  // of the faces, as in likely_joins.cpp
-    for (std::uint32_t v = 0; v < cell.shape.points.size(); ++v)
-      if (!cell.complex.is_interior(v)) points.push_back(cell.shape.points[v]);
-    Vec3 centre;
-    for (const Vec3& p : points) centre = centre + p;
-    centre = (1 / static_cast<double>(points.size())) * centre;
-    double radius = 0;
-    for (const Vec3& p : points) radius = std::max(radius, norm(p - centre));
-    const auto f = SmoothFunction::through(field_->samples(centre, 1.1 * radius), centre, radius);
+    const auto f = function_around(cell.complex, cell.shape, *field_);
     if (!f) return;
     Joining(cell).run(by_confidence(cell), run_, decisions_["confidence"]);
     Joining(cell).run(by_function(cell, *f), run_, decisions_["function"]);

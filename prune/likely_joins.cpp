@@ -31,36 +31,6 @@ constexpr std::array<double, 3> kLeastIfSeen{0.05, 0.06, 0.12};
 /// what is around; and there is a wish for each pair.
 constexpr std::size_t kMostParts = 5;
 
-std::optional<SmoothFunction> function_around(const CellComplex& complex, const CellShape& shape) {
-  std::vector<Vec3> points;
-  for (std::uint32_t v = 0; v < shape.points.size(); ++v)
-    if (!complex.is_interior(v)) points.push_back(shape.points[v]);
-  Vec3 centre;
-  for (const Vec3& p : points) centre = centre + p;
-  centre = (1 / static_cast<double>(points.size())) * centre;
-  double radius = 0;
-  for (const Vec3& p : points) radius = std::max(radius, norm(p - centre));
-  return SmoothFunction::through(shape.field->get().samples(centre, kReach * radius), centre, radius);
-}
-
-/// The largest value of the function at the centroid of a tetrahedron and half way to its vertices, or one
-/// that is above `enough`.
-double largest_value(const CellComplex& complex, const CellShape& shape, const SmoothFunction& f,
-                     double enough, std::uint32_t t) {
-  const auto v = sorted_vertices(complex.mesh, t);
-  const auto& at = shape.points;
-  const Vec3 centroid = 0.25 * ((at[v[0]] + at[v[1]]) + (at[v[2]] + at[v[3]]));
-  const auto towards = [&](unsigned k) { return 0.5 * (centroid + at[v[k]]); };
-  const auto larger = [&](Vec3 p, Vec3 q) {
-    const auto [at_p, at_q] = f.at(p, q);
-    return std::max(at_p, at_q);
-  };
-  double value = larger(centroid, towards(0));
-  if (!(value > enough)) value = std::max(value, larger(towards(1), towards(2)));
-  if (!(value > enough)) value = std::max(value, larger(towards(3), centroid));
-  return value;
-}
-
 /// Tetrahedra that sections reach.
 struct Reached {
   DisjointSets parts;                ///< by part(g) of the ground: those that meet
@@ -179,6 +149,7 @@ class WaysBetweenSeen {
     }
   }
 
+  /// With fewer planes what is above the limits of all is enough.
   static std::int32_t least(std::size_t planes) {
     return planes < kPlanesToSee
                ? 0
@@ -220,6 +191,35 @@ DisjointSets wanted_parts(const CellComplex& complex, const CellShape& shape, co
 
 }  // namespace
 
+std::optional<SmoothFunction> function_around(const CellComplex& complex, const CellShape& shape,
+                                              const SectionField& field) {
+  std::vector<Vec3> points;
+  for (std::uint32_t v = 0; v < shape.points.size(); ++v)
+    if (!complex.is_interior(v)) points.push_back(shape.points[v]);
+  Vec3 centre;
+  for (const Vec3& p : points) centre = centre + p;
+  centre = (1 / static_cast<double>(points.size())) * centre;
+  double radius = 0;
+  for (const Vec3& p : points) radius = std::max(radius, norm(p - centre));
+  return SmoothFunction::through(field.samples(centre, kReach * radius), centre, radius);
+}
+
+double largest_value(const CellComplex& complex, const CellShape& shape, const SmoothFunction& f,
+                     double enough, std::uint32_t t) {
+  const auto v = sorted_vertices(complex.mesh, t);
+  const auto& at = shape.points;
+  const Vec3 centroid = 0.25 * ((at[v[0]] + at[v[1]]) + (at[v[2]] + at[v[3]]));
+  const auto towards = [&](unsigned k) { return 0.5 * (centroid + at[v[k]]); };
+  const auto larger = [&](Vec3 p, Vec3 q) {
+    const auto [at_p, at_q] = f.at(p, q);
+    return std::max(at_p, at_q);
+  };
+  double value = larger(centroid, towards(0));
+  if (!(value > enough)) value = std::max(value, larger(towards(1), towards(2)));
+  if (!(value > enough)) value = std::max(value, larger(towards(3), centroid));
+  return value;
+}
+
 bool is_in_doubt(std::int32_t confidence) {
   return confidence >= as_integer(kSurelyApart) && confidence <= as_integer(kSurelyJoined);
 }
@@ -243,7 +243,7 @@ std::optional<JoinPlan> plan_joins(const CellComplex& complex, const CellShape& 
   const std::vector<SectionPart> parts = section_parts(complex, ground);
   const std::vector<std::int32_t> sure = sure_above(possible, parts);
   if (!has_doubt(possible, sure)) return std::nullopt;
-  const auto f = function_around(complex, shape);
+  const auto f = function_around(complex, shape, shape.field->get());
   if (!f) return std::nullopt;
   Reached above = reach(complex, ground, [&](std::uint32_t t) {
     const double least = kept[t] != 0 ? kLeastWhereKept : kLeastValue;

@@ -4,11 +4,10 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
 
-#include "brute_solid.h"
 #include "cells.h"
-#include "prune/star.h"
 
 namespace {
 

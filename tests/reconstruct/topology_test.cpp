@@ -163,7 +163,7 @@ TEST_CASE("where confidences are in doubt, the sections around a cell tell that 
 
 TEST_CASE("two balls with a gap stay two where several planes meet both in a cell") {
   // The function through the sections is a little above 0 in a gap that is narrower than its samples are
-  // apart, and these two were one until the planes that had to miss a join between them counted.
+  // apart: these two are one unless the planes count that had to miss a join between them.
   const auto ball = [](const Vec3& p, double x) { return norm(p - Vec3{x, 0, 0}) - 0.5; };
   const Surface mesh = implicit_solid([&](const Vec3& p) { return std::min(ball(p, -0.54), ball(p, 0.54)); },
                                       Bounds{{-1.2, -0.7, -0.7}, {1.2, 0.7, 0.7}}, 40);
