@@ -7,6 +7,10 @@
 
 namespace crossloft {
 
+/// A flag that another thread may raise.
+using CancelFlag = const std::atomic<bool>*;
+inline bool is_raised(CancelFlag flag) { return flag != nullptr && flag->load(std::memory_order_relaxed); }
+
 enum class LogLevel : unsigned char { note, warning };
 
 struct Context {
@@ -15,14 +19,14 @@ struct Context {
   /// Stage name and the fraction of it that is done, 0..1; from the calling thread only.
   std::function<void(std::string_view stage, double fraction)> progress;
   /// When raised, the operation ends soon with ErrorCode::cancelled and leaves nothing behind.
-  const std::atomic<bool>* cancel = nullptr;
+  CancelFlag cancel = nullptr;
   /// Worker threads, the calling one included; 0 means one per core. The result never depends on it.
   unsigned threads = 1;
 
   void note(std::string_view text) const { if (log) log(LogLevel::note, text); }
   void warn(std::string_view text) const { if (log) log(LogLevel::warning, text); }
   void report(std::string_view stage, double fraction) const { if (progress) progress(stage, fraction); }
-  bool cancelled() const { return cancel != nullptr && cancel->load(std::memory_order_relaxed); }
+  bool cancelled() const { return is_raised(cancel); }
 };
 
 }  // namespace crossloft

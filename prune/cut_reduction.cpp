@@ -20,6 +20,7 @@ class CutReduction {
     for (unsigned step = 0; step <= 2; ++step) {
       for (std::uint32_t t = 0; t < rest_.size(); ++t) {
         if (state_[t] != kOpen) continue;
+        if (is_raised(problem_.cancel)) return std::move(state_);
         PriceRange& own = rest_[t].own;
         if (step > 0 && own.low != own.high) own = price_(t, step);
         decide(t);
@@ -81,6 +82,7 @@ class CutReduction {
     if (open.empty()) return;
     std::vector<std::array<std::uint32_t, 4>> neighbours(open.size());
     CutProblem rest;
+    rest.cancel = problem_.cancel;
     for (std::uint32_t k = 0; k < open.size(); ++k) {
       rest.terminal.push_back(rest_[open[k]].own.low + rest_[open[k]].decided);
       auto& capacity = rest.capacity.emplace_back(problem_.capacity[open[k]]);

@@ -109,7 +109,7 @@ class CutBuilder {
     }
   }
 
-  std::vector<std::uint8_t> run() {
+  std::vector<std::uint8_t> run(CancelFlag cancel) {
     const std::vector<double> volume = volumes(complex_, measures_);
     const double size = size_of(volume);
     const double per_volume = size > 0 ? weights_.volume * units_ / size : 0;
@@ -118,6 +118,7 @@ class CutBuilder {
     problem_.capacity.assign(open_.size(), {0, 0, 0, 0});
     for (std::uint32_t k = 0; k < open_.size(); ++k) facets[k] = set_facets(k);
     problem_.neighbours = neighbours_;
+    problem_.cancel = cancel;
     // Rounding never turns the order of two prices round.
     const auto price = [&](std::uint32_t k, std::int32_t confidence) {
       const double sureness = static_cast<double>(confidence) / kCertain + weights_.offset;
@@ -189,8 +190,9 @@ bool is_tied_to_sections(const CellComplex& complex, std::uint32_t t) {
 
 std::vector<std::uint8_t> cheapest_solid(const CellComplex& complex, const CellShape& shape,
                                          const std::vector<std::uint8_t>& r1,
-                                         const ConfidenceSource& confidence, const EnergyWeights& weights) {
-  return CutBuilder(complex, shape, r1, confidence, weights).run();
+                                         const ConfidenceSource& confidence, const EnergyWeights& weights,
+                                         CancelFlag cancel) {
+  return CutBuilder(complex, shape, r1, confidence, weights).run(cancel);
 }
 
 std::vector<std::uint8_t> cheapest_solid(const CellComplex& complex, const CellShape& shape,

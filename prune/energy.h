@@ -35,10 +35,12 @@ struct ConfidenceSource {
 /// size = the cube root of the volume of the cell's vertices' hull, among those that contain all tied ones of
 /// R1; the smallest if there are several, so it is unique. A minimum cut between neighbours (min_cut.h) that
 /// are not tied, with capacities rounded to integers. Tied tetrahedra are not measured, nor those that bounds
-/// or their neighbours decide. REQUIRES: r1[t] = 0 for tetrahedra that can't be kept.
+/// or their neighbours decide. Once `cancel` is raised the result comes soon, and means nothing. REQUIRES:
+/// r1[t] = 0 for tetrahedra that can't be kept.
 std::vector<std::uint8_t> cheapest_solid(const CellComplex& complex, const CellShape& shape,
                                          const std::vector<std::uint8_t>& r1,
-                                         const ConfidenceSource& confidence, const EnergyWeights& weights);
+                                         const ConfidenceSource& confidence, const EnergyWeights& weights,
+                                         CancelFlag cancel = nullptr);
 /// The same with confidences that are known but for tied tetrahedra.
 std::vector<std::uint8_t> cheapest_solid(const CellComplex& complex, const CellShape& shape,
                                          const std::vector<std::uint8_t>& r1,

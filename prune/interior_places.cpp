@@ -7,6 +7,7 @@
 #include "../geom/bounds.h"
 #include "../geom/disjoint_sets.h"
 #include "confidence.h"
+#include "lacking_walls.h"
 #include "prune.h"
 #include "star.h"
 
@@ -184,6 +185,22 @@ std::vector<std::uint32_t> large_ones(const CellComplex& complex, const CellShap
   return large;
 }
 
+/// Places where walls would be, but for external tetrahedra.
+void divide_walls(const CellComplex& complex, const CellShape& shape, const std::vector<std::uint8_t>& r1,
+                  ConfidenceMeter& meter, std::vector<Vec3>& places) {
+  const std::vector<std::uint32_t> walls = lacking_walls(complex, r1, as_integer(kWallConfidence),
+                                                         [&](std::uint32_t t) { return meter.measure(t); });
+  std::vector<std::uint8_t> is_in(walls.empty() ? 0 : r1.size(), 0);
+  for (const std::uint32_t t : walls) is_in[t] = 1;
+  for (const std::uint32_t t : walls) {
+    places.push_back(centroid(complex, shape, t));
+    for (unsigned i = 0; i < 4; ++i) {
+      const std::uint32_t n = complex.mesh.neighbours[t][i];
+      if (n != kNone && n < t && is_in[n] != 0) places.push_back(facet_centroid(complex, shape, t, i));
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<Vec3> interior_places(const CellComplex& complex, const CellShape& shape, const Ground& ground,
@@ -193,8 +210,8 @@ std::vector<Vec3> interior_places(const CellComplex& complex, const CellShape& s
   if (!complex.has_interior_vertices()) large = large_ones(complex, shape, r1);
   LackingWays ways(complex, ground, r1);
   std::vector<Vec3> places;
-  if (large.empty() && !ways.any()) return places;
   ConfidenceMeter meter(complex, ground, shape);
+  divide_walls(complex, shape, r1, meter, places);
   for (const std::uint32_t t : large)
     if (meter.measure(t) >= 0) places.push_back(centroid(complex, shape, t));
   ways.find(meter, least, [&](std::uint32_t t, std::uint32_t facet) {

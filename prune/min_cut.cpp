@@ -34,6 +34,7 @@ class AugmentingForest {
   explicit AugmentingForest(const CutProblem& problem)
       : neighbours_(problem.neighbours),
         capacity_(problem.capacity),
+        cancel_(problem.cancel),
         flow_(neighbours_.size()),
         nodes_(neighbours_.size()) {
     for (std::uint32_t t = 0; t < nodes_.size(); ++t) {
@@ -46,9 +47,10 @@ class AugmentingForest {
   }
 
   MinCut run() {
-    for (; !front_.empty(); ++depth_) {
+    for (; !front_.empty() && !is_raised(cancel_); ++depth_) {
       orphans_.resize(depth_ + std::size_t{2});
-      for (const std::uint32_t t : front_) scan(t);
+      for (const std::uint32_t t : front_)
+        if (!is_raised(cancel_)) scan(t);
       front_.swap(next_);
       next_.clear();
     }
@@ -157,6 +159,7 @@ class AugmentingForest {
 
   std::span<const std::array<std::uint32_t, 4>> neighbours_;
   std::span<const std::array<std::int64_t, 4>> capacity_;
+  const CancelFlag cancel_;
   std::vector<std::array<std::int64_t, 4>> flow_;
   std::vector<Node> nodes_;
   std::vector<std::uint32_t> front_;

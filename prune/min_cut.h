@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "../geom/context.h"
 #include "../geom/ids.h"
 
 namespace crossloft {
@@ -30,6 +31,7 @@ struct CutProblem {
   std::vector<std::array<std::int64_t, 4>> capacity;
   /// > 0: price of dropping t (capacity from the source); < 0: minus the price of keeping it (to the sink).
   std::vector<std::int64_t> terminal;
+  CancelFlag cancel = nullptr;  ///< once it is raised the result comes soon, and means nothing
 };
 
 inline constexpr std::int64_t kUncuttable = std::int64_t{1} << 60;

@@ -6,6 +6,7 @@
 #include "confidence.h"
 #include "cracks.h"
 #include "energy.h"
+#include "lacking_walls.h"
 #include "likely_joins.h"
 #include "outside.h"
 #include "star.h"
@@ -41,7 +42,8 @@ class NaturalPruning {
     result.kept = cheapest_solid(complex_, shape_, r1,
                                  {[&](std::uint32_t t) { return meter_.bounds(t); },
                                   [&](std::uint32_t t) { return confidence_of(t); }},
-                                 weights);
+                                 weights, requests_.cancel);
+    if (is_raised(requests_.cancel)) return result;
     result.r2 = static_cast<std::uint32_t>(std::count(result.kept.begin(), result.kept.end(), 1));
     NaturalReport& report = result.report;
     const CellBodies bodies = find_bodies(complex_, ground_, result.kept);
@@ -49,15 +51,22 @@ class NaturalPruning {
     if (report.before.bodies < report.before.sections)
       report.joins = find_widest_ways(complex_, ground_, result.kept, bodies.of_ground,
                                       [&](std::uint32_t t) { return confidence_of(t); });
-    const bool good = is_good(report, result.kept);
+    const bool good = !add_walls(r1, result.kept) && is_good(report, result.kept);
     std::vector<std::uint32_t> body_in_r1;
     if (may_doubt()) body_in_r1 = bodies_of(r1, bodies);
     const bool doubts = !body_in_r1.empty() && !is_surely_joined(bodies, body_in_r1, report.joins);
     if (!good) measure_all(r1);
-    const std::vector<std::uint8_t> cheapest = doubts ? result.kept : std::vector<std::uint8_t>{};
+    const bool goes_on = doubts || !requests_.joined.empty();
+    const std::vector<std::uint8_t> cheapest = goes_on ? result.kept : std::vector<std::uint8_t>{};
     if (!good) grow(result, limits_);
     if (doubts) decide_joins(r1, body_in_r1, cheapest, result);
-    if (!requests_.joined.empty()) join_alone(r1, result);
+    if (!requests_.joined.empty()) join_alone(r1, cheapest, result);
+    if (!requests_.dropped.empty()) {
+      for (const TetName& tet : requests_.dropped) drop_body(complex_, ground_, tet, result.kept);
+      report.after = count_topology(complex_, ground_, result.kept);
+    } else if (report.after.bodies > 1) {
+      report.spikes = spikes(result.kept);
+    }
     return result;
   }
 
@@ -90,6 +99,17 @@ class NaturalPruning {
   std::uint32_t count_open(const std::vector<std::uint8_t>& kept) const {
     return static_cast<std::uint32_t>(std::count_if(requests_.opened.begin(), requests_.opened.end(),
                                                     [&](const auto& r) { return is_open(r, kept); }));
+  }
+
+  /// Lets growth build walls that the cut left out though R1 has them; not where it was asked to leave
+  /// something open. False if there are none.
+  bool add_walls(const std::vector<std::uint8_t>& r1, std::vector<std::uint8_t>& allowed) {
+    if (!requests_.opened.empty()) return false;
+    const std::vector<std::uint32_t> walls =
+        lacking_walls(complex_, allowed, as_integer(kWallConfidence),
+                      [&](std::uint32_t t) { return r1[t] != 0 ? confidence_of(t) : -kCertain; });
+    for (const std::uint32_t t : walls) allowed[t] = 1;
+    return !walls.empty();
   }
 
   /// Not where the user has decided: of single sections, or by a limit that leaves no doubt.
@@ -128,6 +148,7 @@ class NaturalPruning {
   void grow(NaturalResult& result, GrowthLimits limits) {
     for (const OpenRequest& request : requests_.opened) drop_unsure(request, result.kept);
     limits.handle = as_integer(kRingConfidence);
+    limits.cancel = requests_.cancel;
     if (requests_.handles)
       limits.may_fill = [&](std::uint32_t t) { return confidence_of(t) >= as_integer(kTunnelConfidence); };
     GrowingSolid solid(complex_, ground_);
@@ -152,7 +173,8 @@ class NaturalPruning {
   }
 
   /// Only what is still alone, and sure enough: an earlier request may have changed it.
-  void join_alone(const std::vector<std::uint8_t>& r1, NaturalResult& result) {
+  void join_alone(const std::vector<std::uint8_t>& r1, std::vector<std::uint8_t> allowed,
+                  NaturalResult& result) {
     const SecondLook::Measure measure = [&](std::uint32_t t) { return confidence_of(t); };
     for (const TetName& body : requests_.joined) {
       const Way way = SecondLook(complex_, ground_, r1, result.kept, measure).way_from(body);
@@ -161,7 +183,27 @@ class NaturalPruning {
       list_join(way.join, result.report.joins);
       ++result.report.joined_alone;
     }
-    result.report.after = count_topology(complex_, ground_, result.kept);
+    if (result.report.joined_alone > 0) grow_on(r1, allowed, result);
+  }
+
+  /// The ways are a tetrahedron wide: what the cut has kept around them can come by now.
+  void grow_on(const std::vector<std::uint8_t>& r1, std::vector<std::uint8_t>& allowed,
+               NaturalResult& result) {
+    measure_all(r1);
+    GrowingSolid solid(complex_, ground_);
+    for (std::uint32_t t = 0; t < allowed.size(); ++t)
+      if (result.kept[t] != 0) allowed[t] = 1, solid.add(t);
+    const GrowthResult grown = grow_simply(complex_, ground_, allowed, confidence_, limits_, solid);
+    for (const Join& join : grown.joins)
+      if (join.done) list_join(join, result.report.joins);
+    result.report.domes.insert(result.report.domes.end(), grown.domes.begin(), grown.domes.end());
+    result.report.after = refill_cracks(complex_, ground_, allowed, solid);
+    result.kept = solid.kept();
+  }
+
+  std::vector<Spike> spikes(const std::vector<std::uint8_t>& kept) {
+    return find_spikes(complex_, ground_, kept, as_integer(kSpikeConfidence),
+                       [&](std::uint32_t t) { return confidence_of(t); });
   }
 
   std::int32_t confidence_of(std::uint32_t t) {
@@ -170,7 +212,7 @@ class NaturalPruning {
   }
 
   void measure_all(const std::vector<std::uint8_t>& r1) {
-    for (std::uint32_t t = 0; t < r1.size(); ++t)
+    for (std::uint32_t t = 0; t < r1.size() && !is_raised(requests_.cancel); ++t)
       if (r1[t] != 0) confidence_of(t);
   }
 

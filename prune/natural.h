@@ -11,6 +11,7 @@
 #include "ground.h"
 #include "second_look.h"
 #include "simple_growth.h"
+#include "spikes.h"
 
 namespace crossloft {
 
@@ -47,6 +48,7 @@ struct NaturalReport {
                               ///< where sections touch in a point (CellTopology::outsides)
   std::uint32_t joined_alone = 0;   ///< joins by request, of bodies that were alone
   std::uint32_t opened = 0;         ///< requests to leave open that came true
+  std::vector<Spike> spikes;        ///< kept, as they may be all that the section has
 };
 
 /// What a cell is asked for beyond its options: by the user, and by what its neighbours have found.
@@ -54,7 +56,9 @@ struct CellRequests {
   std::vector<JoinWish> wishes;
   std::vector<TetName> joined;  ///< bodies to be joined with what they most likely belong to
   std::vector<OpenRequest> opened;
+  std::vector<TetName> dropped;  ///< of spikes, whose sections need none
   bool handles = true;  ///< those that the sections ask for may come
+  CancelFlag cancel = nullptr;  ///< once it is raised the result comes soon, and means nothing
 };
 
 struct NaturalResult {

@@ -35,16 +35,19 @@ struct OutsideParts {
 }  // namespace
 
 void OpeningOf::add(std::uint32_t t) {
-  for (unsigned i = 0; i < 4 && kind_ != Opening::wide; ++i) {
-    if (complex_->mesh.neighbours[t][i] != kNone || complex_->facets[t][i] == FacetKind::internal) continue;
-    if (complex_->facets[t][i] == FacetKind::free) {
-      kind_ = Opening::wide;
-      continue;
-    }
-    const auto& v = complex_->mesh.vertices[t];
-    const auto& slots = kFacetSlots[i];
-    add_hole(complex_->common_face(v[slots[0]], v[slots[1]], v[slots[2]]));
+  for (unsigned i = 0; i < 4 && kind_ != Opening::wide; ++i) add(t, i);
+}
+
+void OpeningOf::add(std::uint32_t t, unsigned facet) {
+  const FacetKind kind = complex_->facets[t][facet];
+  if (complex_->mesh.neighbours[t][facet] != kNone || kind == FacetKind::internal) return;
+  if (kind == FacetKind::free) {
+    kind_ = Opening::wide;
+    return;
   }
+  const auto& v = complex_->mesh.vertices[t];
+  const auto& slots = kFacetSlots[facet];
+  add_hole(complex_->common_face(v[slots[0]], v[slots[1]], v[slots[2]]));
 }
 
 void OpeningOf::add(const OpeningOf& other) {

@@ -20,6 +20,8 @@ class OpeningOf {
  public:
   explicit OpeningOf(const CellComplex& complex) : complex_(&complex) {}
   void add(std::uint32_t t);
+  /// A single facet, as far as it is on the hull and not within a section.
+  void add(std::uint32_t t, unsigned facet);
   /// Another part that belongs to this one.
   void add(const OpeningOf& other);
   Opening kind() const { return kind_; }

@@ -4,7 +4,6 @@
 #include <array>
 #include <queue>
 
-#include "../geom/disjoint_sets.h"
 #include "contact.h"
 #include "open_loops.h"
 #include "outside.h"
@@ -28,14 +27,20 @@ class SimpleGrowth {
         refusal_(complex.mesh.size()),
         vertex_of_body_(part_names(complex, ground)) {
     set_ranks(allowed);
+    for (std::uint32_t g = 0; g < ground.size(); ++g) {
+      std::uint32_t& name = vertex_of_body_[solid.body_of_ground(g)];
+      name = std::min(name, vertex_of_body_[ground.part(g)]);
+    }
     find_wished();
     for (const OpenRequest& request : limits.open)
-      open_.push_back({tet_of_name(complex.mesh, request.from), tet_of_name(complex.mesh, request.to)});
-    std::erase_if(open_, [](const auto& pair) { return pair[0] == kNone || pair[1] == kNone; });
+      open_.push_back({tet_of_name(complex.mesh, request.from), tet_of_name(complex.mesh, request.to), {}});
+    std::erase_if(open_, [](const StaysOpen& open) { return open.from == kNone || open.to == kNone; });
   }
 
   GrowthResult run() {
     for (std::uint32_t g = 0; g < ground_.size(); ++g) list(ground_.facet(g).tet);
+    for (std::uint32_t t = 0; t < rank_.size(); ++t)
+      if (solid_.has(t)) list_around(t);
     grow();
     for (bool domes = false;;) {
       if (retry(domes)) {
@@ -93,13 +98,17 @@ class SimpleGrowth {
     solid_.add(t);
     ++additions_;
     for (const std::uint32_t v : complex_.mesh.vertices[t]) changed_at_[v] = additions_;
+    list_around(t);
+  }
+
+  void list_around(std::uint32_t t) {
     for (const std::uint32_t n : complex_.mesh.neighbours[t])
       if (n != kNone) list(n);
   }
 
   /// Adds by simple moves and joins until the queue is empty; puts off what it can't add.
   void grow() {
-    while (!queue_.empty()) {
+    while (!queue_.empty() && !is_raised(limits_.cancel)) {
       const std::uint32_t t = order_[queue_.top()];
       queue_.pop();
       listed_[t] = 0;
@@ -153,7 +162,7 @@ class SimpleGrowth {
     bool changed = false;
     for (const std::uint32_t rank : again) {
       const std::uint32_t t = order_[rank];
-      if (solid_.has(t)) continue;
+      if (solid_.has(t) || is_raised(limits_.cancel)) continue;
       if (try_add(t, domes)) {
         changed = true;
         grow();
@@ -252,37 +261,34 @@ class SimpleGrowth {
     return true;
   }
 
-  /// Whether the outside tetrahedra that share edges with t hang together without it, around these edges and
-  /// across facets: then it is no link between any two of them.
-  bool is_bypassed(std::uint32_t t) const {
-    std::vector<std::array<std::uint32_t, 2>> around;  // tetrahedron, edge
-    for (unsigned corner = 4; corner < kCorners; ++corner)
-      visit_around_edge(complex_.mesh, t, corner, [&](std::uint32_t n, unsigned) {
-        if (!solid_.has(n)) around.push_back({n, corner});
-      });
-    std::sort(around.begin(), around.end());
-    DisjointSets groups(around.size());
-    for (std::uint32_t i = 0; i < around.size(); ++i)
-      for (std::uint32_t j = 0; j < i; ++j) {
-        const auto& neighbours = complex_.mesh.neighbours[around[i][0]];
-        if (around[i][0] == around[j][0] || around[i][1] == around[j][1] ||
-            std::find(neighbours.begin(), neighbours.end(), around[j][0]) != neighbours.end())
-          groups.join(i, j);
-      }
-    for (std::uint32_t i = 1; i < around.size(); ++i)
-      if (groups.find(i) != 0) return false;
+  /// Two tetrahedra that are to stay connected outside, and a way between them that still is there.
+  struct StaysOpen {
+    std::uint32_t from, to;
+    std::vector<std::uint8_t> on_way;
+  };
+
+  /// The way again, but not through t, across facets and edges; false if there is none.
+  bool find_way(StaysOpen& open, std::uint32_t t) const {
+    std::vector<std::uint32_t> before(rank_.size(), kNone), list{open.from};
+    before[open.from] = open.from;
+    for (std::size_t head = 0; head < list.size() && before[open.to] == kNone; ++head)
+      for (unsigned corner = 4; corner < kCorners; ++corner)
+        visit_around_edge(complex_.mesh, list[head], corner, [&](std::uint32_t n, unsigned) {
+          if (n == t || before[n] != kNone || solid_.has(n)) return;
+          before[n] = list[head];
+          list.push_back(n);
+        });
+    if (before[open.to] == kNone) return false;
+    open.on_way.assign(rank_.size(), 0);
+    for (std::uint32_t at = open.to; open.on_way[at] == 0; at = before[at]) open.on_way[at] = 1;
     return true;
   }
 
-  /// Whether t is the last link between two tetrahedra that are to stay connected outside. Simple moves can
-  /// part them too: what is left is of no width then, at the end of a section.
+  /// Whether without t some pair is not connected any more. Simple moves can part them too: what is left is
+  /// of no width then, at the end of a section.
   bool parts_what_stays_open(std::uint32_t t) {
-    if (is_bypassed(t)) return false;
-    std::vector<std::uint8_t> solid = solid_.kept();
-    solid[t] = 1;
-    return std::any_of(open_.begin(), open_.end(), [&](const auto& pair) {
-      const OutsidePart part = outside_part(complex_, solid, pair[0]);
-      return std::find(part.tets.begin(), part.tets.end(), pair[1]) == part.tets.end();
+    return std::any_of(open_.begin(), open_.end(), [&](StaysOpen& open) {
+      return (open.on_way.empty() || open.on_way[t] != 0) && !find_way(open, t);
     });
   }
 
@@ -343,7 +349,7 @@ class SimpleGrowth {
   std::vector<std::array<std::vector<std::uint32_t>, 2>> wished_;  ///< by wish and side: ground triangles
   std::priority_queue<std::uint32_t, std::vector<std::uint32_t>, std::greater<>> queue_;
   std::vector<std::uint32_t> put_off_;              ///< ranks
-  std::vector<std::array<std::uint32_t, 2>> open_;  ///< tetrahedra not to be parted by a wall
+  std::vector<StaysOpen> open_;
   GrowthResult result_;
 };
 

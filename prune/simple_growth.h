@@ -24,6 +24,7 @@
 #include <span>
 #include <vector>
 
+#include "../geom/context.h"
 #include "cell_complex.h"
 #include "contact.h"
 #include "ground.h"
@@ -53,6 +54,7 @@ struct GrowthLimits {
   /// Whether a tetrahedron, an external one too, may be solid after all. A loop that such ones fill
   /// (open_loops.h) is a gap and no handle. Nothing: no handles.
   std::function<bool(std::uint32_t)> may_fill = {};
+  CancelFlag cancel = nullptr;  ///< once it is raised growth ends, wherever it is
 };
 
 struct GrowthResult {
@@ -64,8 +66,8 @@ struct GrowthResult {
 
 /// Grows over the tetrahedra with allowed[t] != 0. Tetrahedra of equal confidence go by their sorted
 /// vertices, so the result does not depend on their numbers. O(n log n) and a few rounds over those put off.
-/// REQUIRES: an allowed tetrahedron has no external facet; `solid` is the ground alone. It is what has grown
-/// then.
+/// What `solid` has beside the ground stays, and growth goes on from there. REQUIRES: an allowed tetrahedron
+/// has no external facet; what the solid has is allowed and makes no handle. It is what has grown then.
 GrowthResult grow_simply(const CellComplex& complex, const Ground& ground,
                          const std::vector<std::uint8_t>& allowed, std::span<const std::int32_t> confidence,
                          const GrowthLimits& limits, GrowingSolid& solid);

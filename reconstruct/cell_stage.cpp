@@ -27,6 +27,19 @@ std::vector<GroundTriangle> ground_under(const BuiltCell& cell, const std::vecto
   return list;
 }
 
+std::vector<SpikeOnFace> spikes_of(const BuiltCell& cell, const NaturalReport& report) {
+  std::vector<SpikeOnFace> list;
+  for (const Spike& spike : report.spikes) {
+    std::vector<std::uint8_t> is_in(cell.complex.mesh.size(), 0);
+    for (const std::uint32_t t : spike.tets) is_in[t] = 1;
+    TetName name = cell.complex.mesh.vertices[spike.tets[0]];
+    for (std::uint32_t& v : name) v = cell.vertices[v];
+    std::sort(name.begin(), name.end());
+    list.push_back({spike.confidence, name, ground_under(cell, is_in)});
+  }
+  return list;
+}
+
 /// New lists of the cell's part of the solid, no longer than they need: together they are much of the memory.
 void renew_lists(const BuiltCell& cell, const std::vector<std::uint8_t>& kept, CellState& state) {
   const auto tets = static_cast<std::size_t>(std::count(kept.begin(), kept.end(), std::uint8_t{1}));
@@ -100,14 +113,18 @@ void Pipeline::cover(std::span<const CellFace> faces, std::span<const FaceId> id
   for (const GroundTriangle& g : ground) covered(g.face)[g.triangle] = 1;
 }
 
+void Pipeline::cover(CellId id, std::span<const GroundTriangle> ground) {
+  const std::vector<FaceId> ids = inner_faces(id);
+  cover(cell_faces(id, ids), ids, ground);
+}
+
 /// Until now the cells may show what lacks solid ground instead (prune_cell).
 void Pipeline::cover_finally() {
   for (std::uint32_t c = 0; c < cells_.size(); ++c) {
     if (cells_[c].report.tets_r0 == 0) continue;
-    const std::vector<FaceId> ids = inner_faces(CellId{c});
     std::vector<GroundTriangle>& ground = cells_[c].ground;
     ground.insert(ground.end(), cells_[c].bridge_ground.begin(), cells_[c].bridge_ground.end());
-    cover(cell_faces(CellId{c}, ids), ids, ground);
+    cover(CellId{c}, ground);
   }
 }
 
@@ -117,6 +134,7 @@ PruneResult Pipeline::prune_built(const CellInHand& hand, const CellRequests& as
   CellRequests requests = by_local_numbers(asked, hand.built);
   requests.wishes = cell_wishes(options_.joins, hand.faces, hand.built);
   requests.handles = !is_in(InCells::automatic, hand.id);  // where planes meet none was ever found
+  requests.cancel = context_.cancel;
   return prune(complex, *hand.ground, hand.shape, {options_.mode, options_.natural}, requests);
 }
 
@@ -232,6 +250,7 @@ Result<Done> Pipeline::prune_cell(CellId id, CellState& state) {
   const bool asks = is_in(options_.natural.look_around, id) && !state.undivided;
   hand.shape.field = asks ? field_.get() : nullptr;
   PruneResult pruned = prune_built(hand, state.asked);
+  if (context_.cancelled()) return cancelled();
   if (auto good = check_pruned(hand.built, pruned); !good) return good;
   report_topology(hand.built, pruned.natural, state.report);
   state.pruning_seconds += watch.lap();
@@ -260,6 +279,7 @@ void Pipeline::take_pruned(const CellInHand& hand, PruneResult& pruned, CellStat
   report.bad_links = pruned.natural.after.bad_links;
   take_kept(cell, pruned.kept, state);
   if (options_.mode == PruneMode::natural) state.bridges = find_bridges(cell, *hand.ground, pruned.kept);
+  state.spikes = spikes_of(cell, pruned.natural);
   // Natural may leave a section no more than a spike that no solid subset would have: it lacks samples even
   // so. Where natural is solid and covers all, so does the largest solid subset.
   const CellTopology& topology = pruned.natural.after;
@@ -407,6 +427,7 @@ Result<Done> Pipeline::fill_cells() {
   build_bridges();
   if (options_.mode == PruneMode::natural)
     if (auto done = look_again(); !done) return done;
+  if (auto done = drop_spikes(); !done) return done;
   cover_finally();
   if (options_.thicken > 0)
     if (auto done = thicken(); !done) return done;

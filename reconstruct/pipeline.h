@@ -73,6 +73,13 @@ struct CellInHand {
   std::vector<Vec3> places;  ///< of points inside that it waits for
 };
 
+/// A spike of a cell (prune/spikes.h), and where it stands.
+struct SpikeOnFace {
+  std::int32_t confidence = 0;
+  TetName tet{};  ///< one of it, by final numbers
+  std::vector<GroundTriangle> ground;
+};
+
 /// The tetrahedra of all cells and what the cells know of their facets.
 struct SolidInCells {
   std::vector<std::array<std::uint32_t, 4>> tets;
@@ -94,7 +101,8 @@ struct CellState {
   Answers answers;           ///< to them, by final numbers and faces of the arrangement
   std::vector<std::array<std::uint32_t, 4>> bridge_tets;
   std::vector<GroundTriangle> bridge_ground;
-  CellBridges bridges;  ///< mode natural
+  CellBridges bridges;              ///< mode natural
+  std::vector<SpikeOnFace> spikes;  ///< mode natural
   std::vector<std::array<std::uint32_t, 4>> roof_tets;
   std::vector<GroundTriangle> ground;   ///< internal triangles that kept tetrahedra stand on
   std::vector<std::uint32_t> feet;      ///< in step: the facets there; what bridges stand on comes after
@@ -137,6 +145,10 @@ class Pipeline {
   // second_look_stage.cpp
   Result<Done> look_again();
   Result<std::vector<Piece>> find_pieces();
+  /// Those that are due, though the solid has been put together.
+  Result<Done> prune_again();
+  // spike_stage.cpp
+  Result<Done> drop_spikes();
   // bridge_stage.cpp
   void build_bridges();
   void close_edges(std::span<OpenEdge> open, std::vector<BuiltBridges>& built);
@@ -186,6 +198,7 @@ class Pipeline {
   void report_topology(const BuiltCell& cell, const NaturalReport& natural, CellReport& report) const;
   void cover(std::span<const CellFace> faces, std::span<const FaceId> ids,
              std::span<const GroundTriangle> ground);
+  void cover(CellId id, std::span<const GroundTriangle> ground);
   void cover_finally();
   Result<Done> find_branching_cells();
   bool is_near_branching(std::span<const FaceId> ids) const;

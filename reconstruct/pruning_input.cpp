@@ -71,6 +71,7 @@ SectionField section_field(const SectionGraph& graph) {
 CellRequests by_local_numbers(CellRequests requests, const BuiltCell& cell) {
   for (TetName& body : requests.joined) to_local(cell, body);
   for (OpenRequest& open : requests.opened) to_local(cell, open.from), to_local(cell, open.to);
+  for (TetName& spike : requests.dropped) to_local(cell, spike);
   return requests;
 }
 

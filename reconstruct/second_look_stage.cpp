@@ -439,7 +439,10 @@ Result<Done> Pipeline::look_again() {
     changes |= cell.due;
     if (!cell.due) cell.triangulation.reset();
   }
-  if (!changes) return Done{};
+  return changes ? prune_again() : Result<Done>(Done{});
+}
+
+Result<Done> Pipeline::prune_again() {
   glued_.reset();
   give_tets_back();
   remove_bridges();

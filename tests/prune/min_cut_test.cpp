@@ -402,3 +402,14 @@ TEST_CASE("verify rejects a flow that goes around in circles beyond the capacity
   cut.flow.assign(3, {2, -2, 0, 0});
   CHECK_FALSE(verify(problem, cut));
 }
+
+TEST_CASE("once the flag is raised nothing is looked for any more") {
+  // Two tetrahedra: one wants to be kept, the other to be dropped, and the facet between them is cheap.
+  const std::vector<std::array<std::uint32_t, 4>> neighbours{{1, kNone, kNone, kNone},
+                                                             {0, kNone, kNone, kNone}};
+  CutProblem problem{neighbours, {{1, 0, 0, 0}, {1, 0, 0, 0}}, {5, -5}};
+  CHECK(minimum_cut(problem).value == 1);
+  const std::atomic<bool> raised{true};
+  problem.cancel = &raised;
+  CHECK(minimum_cut(problem).value == 0);
+}

@@ -380,3 +380,19 @@ TEST_CASE("two triangles in a prism: the middle tetrahedron joins them if it is 
   CHECK(grow(-100, forbidden).joins == std::vector<Join>{refused});
   CHECK(grow(100, elsewhere).joins == std::vector<Join>{refused});  // both sides in one body already
 }
+
+TEST_CASE("random cells: once the flag is raised nothing grows any more") {
+  const std::atomic<bool> raised{true};
+  std::size_t grown = 0;
+  for (std::uint32_t seed = 0; seed < 20; ++seed) {
+    const CellComplex cell = random_cell(seed);
+    const Ground ground(cell);
+    const std::vector<std::int32_t> confidence(cell.mesh.size(), 0);
+    GrowthLimits limits;
+    const Flags kept = grow_simply(cell, ground, r1_of(cell), confidence, limits).kept;
+    grown += kept != Flags(cell.mesh.size(), 0) ? 1 : 0;
+    limits.cancel = &raised;
+    CHECK(grow_simply(cell, ground, r1_of(cell), confidence, limits).kept == Flags(cell.mesh.size(), 0));
+  }
+  CHECK(grown > 5);
+}

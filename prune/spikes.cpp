@@ -1,0 +1,65 @@
+#include "spikes.h"
+
+#include <algorithm>
+#include <map>
+
+#include "bodies.h"
+#include "star.h"
+
+namespace crossloft {
+namespace {
+
+std::uint32_t face_of(const CellComplex& complex, const Facet& facet) {
+  const auto& v = complex.mesh.vertices[facet.tet];
+  const auto& slots = kFacetSlots[facet.facet];
+  return complex.common_face(v[slots[0]], v[slots[1]], v[slots[2]]);
+}
+
+/// By body, whether all it stands on is one part of the sections within one face.
+std::map<std::uint32_t, bool> stand_on_one_face(const CellComplex& complex, const Ground& ground,
+                                                Bodies& bodies) {
+  std::map<std::uint32_t, bool> is_one;
+  for (std::uint32_t g = 0; g < ground.size(); ++g) {
+    const std::uint32_t body = bodies.of_ground(g);  // its smallest ground triangle
+    const bool like_first = ground.part(g) == ground.part(body) &&
+                            face_of(complex, ground.facet(g)) == face_of(complex, ground.facet(body));
+    is_one.try_emplace(body, true).first->second &= like_first;
+  }
+  return is_one;
+}
+
+}  // namespace
+
+std::vector<Spike> find_spikes(const CellComplex& complex, const Ground& ground,
+                               const std::vector<std::uint8_t>& kept, std::int32_t limit,
+                               const std::function<std::int32_t(std::uint32_t)>& confidence) {
+  Bodies bodies(complex, ground, kept);
+  std::map<std::uint32_t, bool> may_be = stand_on_one_face(complex, ground, bodies);
+  std::map<std::uint32_t, Spike> spikes;
+  for (std::uint32_t t = 0; t < kept.size(); ++t) {
+    if (kept[t] == 0) continue;
+    const auto body = may_be.find(bodies.of_tet(t));
+    if (body == may_be.end() || !body->second) continue;
+    const std::int32_t sure = confidence(t);
+    body->second = sure < limit;
+    Spike& spike = spikes.try_emplace(body->first, Spike{sure, {}}).first->second;
+    spike.confidence = std::max(spike.confidence, sure);
+    spike.tets.push_back(t);
+  }
+  std::vector<Spike> list;
+  for (auto& [body, spike] : spikes)
+    if (may_be[body]) list.push_back(std::move(spike));
+  return list;
+}
+
+void drop_body(const CellComplex& complex, const Ground& ground, const TetName& tet,
+               std::vector<std::uint8_t>& kept) {
+  const std::uint32_t start = tet_of_name(complex.mesh, tet);
+  if (start == kNone || kept[start] == 0) return;
+  Bodies bodies(complex, ground, kept);  // known from here on, whatever goes
+  const std::uint32_t body = bodies.of_tet(start);
+  for (std::uint32_t t = 0; t < kept.size(); ++t)
+    if (kept[t] != 0 && bodies.of_tet(t) == body) kept[t] = 0;
+}
+
+}  // namespace crossloft
