@@ -60,10 +60,11 @@ struct CheckReport {
   bool good_topology() const { return oriented() && manifold(); }
 };
 
-/// Two triangles cross properly iff an edge of one passes transversally through the interior of the other:
-/// the edge's ends are strictly on both sides of the plane, and it meets the plane strictly inside. Decided
-/// exactly on the double coordinates, without tolerance; whatever only touches, shares a vertex or an edge
-/// (by index or by equal coordinates) does not cross there. Overlaps in a common plane are counted
+/// Two triangles cross properly iff they lie in two planes and have a point in common that is an inner one of
+/// both; one without area, which has no inner points, iff an edge of it passes through the inside of the
+/// other. Decided exactly on the double coordinates, without tolerance; whatever only touches, shares a
+/// vertex or an edge (by index or by equal coordinates) does not cross there. So surfaces that pass through
+/// each other only along edges that both have are not found. Overlaps in a common plane are counted
 /// separately. Expected O(n log n) for n triangles of a surface; a million takes seconds. Never fails.
 CheckReport check_surface(const Surface& surface);
 

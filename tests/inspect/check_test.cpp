@@ -79,6 +79,15 @@ TEST_CASE("tetrahedra that share a vertex or an edge: by index singular, by copi
   CHECK_FALSE(edge.closed());
 }
 
+TEST_CASE("cubes that pass through each other cross, though all lines of that run from edge to edge") {
+  Surface mesh = cube();
+  append(mesh, moved(cube(), {0.5, 0.5, 0.5}));
+  const CheckReport r = check_surface(mesh);
+  CHECK(r.good_topology());
+  CHECK(r.crossings > 0);
+  CHECK(r.overlaps == 0);
+}
+
 TEST_CASE("a turned component inside another is a cavity, a further one inside it is not") {
   Surface mesh = cube(0, 10);
   append(mesh, inside_out(cube(2, 8)));
