@@ -1,9 +1,12 @@
 #include <cmath>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "../inspect/check.h"
 #include "../io/read_mesh.h"
 #include "../io/read_sections.h"
+#include "../reconstruct/reconstruct.h"
 #include "arguments.h"
 #include "commands.h"
 #include "terminal.h"
@@ -13,7 +16,8 @@ namespace {
 
 struct Arguments {
   std::string surface, sections;
-  double max_distance = INFINITY, max_extra = 0.05;
+  double max_distance = INFINITY, max_missing = 0.1, max_extra = 0.05;
+  double plane_tolerance = Options{}.plane_tolerance;
   bool quiet = false;
 };
 
@@ -58,20 +62,49 @@ void print_components(Terminal& terminal, const CheckReport& r) {
 
 void print_sections(Terminal& terminal, const SectionCheck& check) {
   terminal.print("\nplane  section area   missing       extra         distance\n");
-  for (std::size_t i = 0; i < check.planes.size(); ++i) {
-    const PlaneCheck& p = check.planes[i];
-    terminal.print("%5zu  %-13.6g %-13.3g %-13.3g %-.3g\n", i, p.section_area, p.missing_area, p.extra_area,
-                   p.distance);
+  for (const PlaneCheck& p : check.planes) {
+    terminal.print("%5u  %-13.6g %-13.3g %-13.3g %-.3g\n", p.plane, p.section_area, p.missing_area,
+                   p.extra_area, p.distance);
   }
-  terminal.print("  all  %-13.6g difference %.3g, largest distance %.3g (%.3g of the diagonal)\n",
-                 check.section_area, check.difference_area, check.distance, check.distance / check.diagonal);
+  terminal.print("  all  %-13.6g %-13.3g %-13.3g %.3g (%.3g of the diagonal)\n", check.section_area,
+                 check.missing_area, check.extra_area, check.distance,
+                 check.diagonal > 0 ? check.distance / check.diagonal : 0);
+  terminal.print("off plane    vertices up to %.3g off their planes in the file; brought on to fitted ones by up to %.3g\n",
+                 check.section_off_plane, check.section_displacement);
 }
 
-/// Solid where no section is: never right, while section without solid may be a flat.
-double extra_area(const SectionCheck& check) {
-  double sum = 0;
-  for (const PlaneCheck& p : check.planes) sum += p.extra_area;
-  return sum;
+/// A promise that does not hold, in words that follow "NOT good: ".
+using Broken = std::vector<std::string>;
+
+void add(Broken& broken, bool is_broken, std::string what) {
+  if (is_broken) broken.push_back(std::move(what));
+}
+
+Broken broken_promises(const CheckReport& r) {
+  Broken broken;
+  add(broken, r.triangles == 0, "the surface has no triangles");
+  add(broken, r.bad_coordinates > 0, "coordinates are no numbers");
+  add(broken, !r.closed(), "not closed");
+  add(broken, !r.oriented(), "not oriented");
+  add(broken, r.nonmanifold_vertices > 0, "not manifold");
+  add(broken, r.crossings > 0, "triangles cross");
+  add(broken, r.overlaps > 0, "triangles overlap in a plane");
+  add(broken, r.inverted > 0, "components are inside out");
+  return broken;
+}
+
+/// A flat region of a section may be bare, but not most of it; solid where no section is is never right.
+void add_sections(Broken& broken, const SectionCheck& check, const Arguments& limits) {
+  add(broken, check.missing_area > limits.max_missing * check.section_area, "sections are missing");
+  add(broken, check.extra_area > limits.max_extra * check.section_area, "solid outside of the sections");
+  add(broken, check.distance > limits.max_distance * check.diagonal, "section boundaries are too far off");
+}
+
+void print_verdict(Terminal& terminal, const Broken& broken) {
+  if (broken.empty()) return terminal.print("good\n");
+  std::string list;
+  for (const std::string& what : broken) list += (list.empty() ? "" : ", ") + what;
+  terminal.print("NOT good: %s\n", list.c_str());
 }
 
 ExitCode run(const Arguments& arguments) {
@@ -83,17 +116,17 @@ ExitCode run(const Arguments& arguments) {
   const CheckReport topology = check_surface(*surface);
   print_topology(terminal, topology);
   print_components(terminal, topology);
-  bool good = topology.good_topology() && topology.crossings == 0;
+  Broken broken = broken_promises(topology);
   if (!arguments.sections.empty()) {
     const auto sections = read_sections(arguments.sections, context);
     if (!sections) return terminal.fail(sections.error());
-    const SectionCheck check = check_sections(*surface, *sections);
-    print_sections(terminal, check);
-    good = good && !(check.distance > arguments.max_distance * check.diagonal) &&
-           !(extra_area(check) > arguments.max_extra * check.section_area);
+    const auto check = check_framed_sections(*surface, *sections, arguments.plane_tolerance, context);
+    if (!check) return terminal.fail(check.error());
+    print_sections(terminal, *check);
+    add_sections(broken, *check, arguments);
   }
-  terminal.print("%s\n", good ? "good" : "NOT good");
-  return good ? kGood : kPromiseBroken;
+  print_verdict(terminal, broken);
+  return broken.empty() ? kGood : kPromiseBroken;
 }
 
 }  // namespace
@@ -101,9 +134,10 @@ ExitCode run(const Arguments& arguments) {
 void add_check(CLI::App& program, ExitCode& outcome) {
   auto [command, a] =
       add_command<Arguments>(program, "check",
-                             "Is a surface closed, oriented, manifold (by index) and free of proper "
-                             "crossings (exactly)? Does it meet the\n"
-                             "planes in the sections? Exit code 1 if not.",
+                             "Is a surface closed, oriented, manifold (by index) and the right side out? Do no "
+                             "triangles cross or overlap (exactly)?\n"
+                             "Does it meet the planes in the sections, as reconstruct takes these? Exit code 1 "
+                             "if not.",
                              "crossloft check bear.ply bear.contour",
                              [&outcome](const Arguments& arguments) { outcome = run(arguments); });
   command->add_option("SURFACE", a.surface, "the surface")->required()->check(is_surface_file());
@@ -114,13 +148,24 @@ void add_check(CLI::App& program, ExitCode& outcome) {
           "--max-distance", a.max_distance,
           "a section boundary further off breaks a promise; a fraction of the diagonal (default: none, "
           "since flat sections are bare by design)")
-      ->check(CLI::NonNegativeNumber);
+      ->check(is_not_negative());
+  command
+      ->add_option("--max-missing", a.max_missing,
+                   "more section without solid breaks a promise; a fraction of the sections' area. Flat regions are "
+                   "bare by design, so it is not 0")
+      ->capture_default_str()
+      ->check(is_not_negative());
   command
       ->add_option("--max-extra", a.max_extra,
                    "more solid outside of the sections breaks a promise; a fraction of their area. Sections that disagree are "
                    "brought together within the match tolerance, so it is not 0")
       ->capture_default_str()
-      ->check(CLI::NonNegativeNumber);
+      ->check(is_not_negative());
+  command
+      ->add_option("--plane-tolerance", a.plane_tolerance,
+                   "a section vertex further from its plane is an error, as in reconstruct; a fraction of the diagonal")
+      ->capture_default_str()
+      ->check(CLI::Range(0.0, 0.1));
   command->add_flag("--quiet", a.quiet, "only the exit code");
 }
 
