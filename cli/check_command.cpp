@@ -69,8 +69,10 @@ void print_sections(Terminal& terminal, const SectionCheck& check) {
   terminal.print("  all  %-13.6g %-13.3g %-13.3g %.3g (%.3g of the diagonal)\n", check.section_area,
                  check.missing_area, check.extra_area, check.distance,
                  check.diagonal > 0 ? check.distance / check.diagonal : 0);
-  terminal.print("off plane    vertices up to %.3g off their planes in the file; brought on to fitted ones by up to %.3g\n",
-                 check.section_off_plane, check.section_displacement);
+  terminal.print(
+      "off plane    vertices up to %.3g off their planes in the file; brought on to fitted ones by up to "
+      "%.3g\n",
+      check.section_off_plane, check.section_displacement);
 }
 
 /// A promise that does not hold, in words that follow "NOT good: ".
@@ -129,43 +131,45 @@ ExitCode run(const Arguments& arguments) {
   return broken.empty() ? kGood : kPromiseBroken;
 }
 
+/// What still is no broken promise.
+void add_limits(CLI::App& command, Arguments& a) {
+  const auto add_limit = [&](const char* name, double& value, const char* help) {
+    return command.add_option(name, value, help)->check(is_not_negative());
+  };
+  add_limit(
+      "--max-distance", a.max_distance,
+      "a section boundary further off breaks a promise; a fraction of the diagonal (default: none, since "
+      "flat sections are bare by design)");
+  add_limit("--max-missing", a.max_missing,
+            "more section without solid breaks a promise; a fraction of the sections' area. Flat regions are "
+            "bare by design, so it is not 0")
+      ->capture_default_str();
+  add_limit("--max-extra", a.max_extra,
+            "more solid outside of the sections breaks a promise; a fraction of their area. Sections that "
+            "disagree are brought together within the match tolerance, so it is not 0")
+      ->capture_default_str();
+  command
+      .add_option("--plane-tolerance", a.plane_tolerance,
+                  "a section vertex further from its plane is an error, as in reconstruct; a fraction of the "
+                  "diagonal")
+      ->capture_default_str()
+      ->check(CLI::Range(0.0, 0.1));
+}
+
 }  // namespace
 
 void add_check(CLI::App& program, ExitCode& outcome) {
-  auto [command, a] =
-      add_command<Arguments>(program, "check",
-                             "Is a surface closed, oriented, manifold (by index) and the right side out? Do no "
-                             "triangles cross or overlap (exactly)?\n"
-                             "Does it meet the planes in the sections, as reconstruct takes these? Exit code 1 "
-                             "if not.",
-                             "crossloft check bear.ply bear.contour",
-                             [&outcome](const Arguments& arguments) { outcome = run(arguments); });
+  auto [command, a] = add_command<Arguments>(
+      program, "check",
+      "Is a surface closed, oriented, manifold (by index) and the right side out? Do no triangles cross or "
+      "overlap (exactly)?\n"
+      "Does it meet the planes in the sections, as reconstruct takes these? Exit code 1 if not.",
+      "crossloft check bear.ply bear.contour",
+      [&outcome](const Arguments& arguments) { outcome = run(arguments); });
   command->add_option("SURFACE", a.surface, "the surface")->required()->check(is_surface_file());
   command->add_option("FILE", a.sections, "cross-sections to compare with, plane by plane")
       ->check(is_sections_file());
-  command
-      ->add_option(
-          "--max-distance", a.max_distance,
-          "a section boundary further off breaks a promise; a fraction of the diagonal (default: none, "
-          "since flat sections are bare by design)")
-      ->check(is_not_negative());
-  command
-      ->add_option("--max-missing", a.max_missing,
-                   "more section without solid breaks a promise; a fraction of the sections' area. Flat regions are "
-                   "bare by design, so it is not 0")
-      ->capture_default_str()
-      ->check(is_not_negative());
-  command
-      ->add_option("--max-extra", a.max_extra,
-                   "more solid outside of the sections breaks a promise; a fraction of their area. Sections that disagree are "
-                   "brought together within the match tolerance, so it is not 0")
-      ->capture_default_str()
-      ->check(is_not_negative());
-  command
-      ->add_option("--plane-tolerance", a.plane_tolerance,
-                   "a section vertex further from its plane is an error, as in reconstruct; a fraction of the diagonal")
-      ->capture_default_str()
-      ->check(CLI::Range(0.0, 0.1));
+  add_limits(*command, a);
   command->add_flag("--quiet", a.quiet, "only the exit code");
 }
 

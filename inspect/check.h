@@ -22,7 +22,7 @@ struct ComponentReport {
   std::int64_t genus = 0;   ///< 1 - euler / 2 if manifold, else 0
   double volume = 0;        ///< signed, in cubed input units; negative if its inside is on the wrong side
   double volume_rounding = 0;  ///< bound of its error: within that of 0 the sign says nothing
-  std::uint32_t depth = 0;  ///< number of other components that enclose it (counted if all are manifold)
+  std::uint32_t depth = 0;     ///< number of other components that enclose it (counted if all are manifold)
   std::uint32_t first_triangle = 0;
 
   /// A hole inside the solid that can't be seen from outside.
@@ -98,10 +98,10 @@ struct PlaneCheck {
 };
 
 struct SectionCheck {
-  std::vector<PlaneCheck> planes;                                  ///< in the order of the sections
-  double section_area = 0, missing_area = 0, extra_area = 0;       ///< sums
-  double distance = 0;                                             ///< largest
-  double section_off_plane = 0, section_displacement = 0;          ///< largest
+  std::vector<PlaneCheck> planes;                             ///< in the order of the sections
+  double section_area = 0, missing_area = 0, extra_area = 0;  ///< sums
+  double distance = 0;                                        ///< largest
+  double section_off_plane = 0, section_displacement = 0;     ///< largest
   double diagonal = 0;  ///< of the box of surface and sections, the unit of `on_plane`
 
   double difference_area() const { return missing_area + extra_area; }

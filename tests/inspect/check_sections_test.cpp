@@ -143,8 +143,9 @@ PlaneSection moved(PlaneSection section, const Vec3& by) {
 TEST_CASE("records of one plane are one section, as reconstruct has it") {
   Surface mesh = cube();
   append(mesh, moved(cube(), {3, 0, 0}));
-  const Sections sections{"", {square(0, 0, 1), moved(square(0, 0, 1), {3, 0, 0}), square(1, 0, 1),
-                               moved(square(1, 0, 1), {3, 0, 0})}};
+  const Sections sections{"",
+                          {square(0, 0, 1), moved(square(0, 0, 1), {3, 0, 0}), square(1, 0, 1),
+                           moved(square(1, 0, 1), {3, 0, 0})}};
   const SectionCheck alone = check_sections(mesh, sections), r = check_framed(mesh, sections);
   CHECK(alone.extra_area == doctest::Approx(4));
   REQUIRE(r.planes.size() == 2);
