@@ -1,4 +1,6 @@
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <string>
 #include <utility>
 #include <vector>
@@ -6,7 +8,6 @@
 #include "../inspect/check.h"
 #include "../io/read_mesh.h"
 #include "../io/read_sections.h"
-#include "../reconstruct/reconstruct.h"
 #include "arguments.h"
 #include "commands.h"
 #include "terminal.h"
@@ -17,7 +18,7 @@ namespace {
 struct Arguments {
   std::string surface, sections;
   double max_distance = INFINITY, max_missing = 0.1, max_extra = 0.05;
-  double plane_tolerance = Options{}.plane_tolerance;
+  SectionCheckOptions options;
   bool quiet = false;
 };
 
@@ -95,10 +96,18 @@ Broken broken_promises(const CheckReport& r) {
   return broken;
 }
 
+std::string share(double area, const SectionCheck& check) {
+  std::array<char, 64> text{};
+  std::snprintf(text.data(), text.size(), " (%.3g of their area)", area / check.section_area);
+  return text.data();
+}
+
 /// A flat region of a section may be bare, but not most of it; solid where no section is is never right.
 void add_sections(Broken& broken, const SectionCheck& check, const Arguments& limits) {
-  add(broken, check.missing_area > limits.max_missing * check.section_area, "sections are missing");
-  add(broken, check.extra_area > limits.max_extra * check.section_area, "solid outside of the sections");
+  add(broken, check.missing_area > limits.max_missing * check.section_area,
+      "sections are missing" + share(check.missing_area, check));
+  add(broken, check.extra_area > limits.max_extra * check.section_area,
+      "solid outside of the sections" + share(check.extra_area, check));
   add(broken, check.distance > limits.max_distance * check.diagonal, "section boundaries are too far off");
 }
 
@@ -122,7 +131,7 @@ ExitCode run(const Arguments& arguments) {
   if (!arguments.sections.empty()) {
     const auto sections = read_sections(arguments.sections, context);
     if (!sections) return terminal.fail(sections.error());
-    const auto check = check_framed_sections(*surface, *sections, arguments.plane_tolerance, context);
+    const auto check = check_framed_sections(*surface, *sections, arguments.options, context);
     if (!check) return terminal.fail(check.error());
     print_sections(terminal, *check);
     add_sections(broken, *check, arguments);
@@ -149,7 +158,14 @@ void add_limits(CLI::App& command, Arguments& a) {
             "disagree are brought together within the match tolerance, so it is not 0")
       ->capture_default_str();
   command
-      .add_option("--plane-tolerance", a.plane_tolerance,
+      .add_option(
+          "--on-plane", a.options.on_plane,
+          "a surface vertex this near a plane lies on it; a fraction of the diagonal. What --separate moved "
+          "needs as much as that was given")
+      ->capture_default_str()
+      ->check(CLI::Range(0.0, 0.1));
+  command
+      .add_option("--plane-tolerance", a.options.plane_tolerance,
                   "a section vertex further from its plane is an error, as in reconstruct; a fraction of the "
                   "diagonal")
       ->capture_default_str()

@@ -77,6 +77,8 @@ CheckReport check_surface(const Surface& surface);
 struct SectionCheckOptions {
   /// Vertices this close to a plane lie on it; a fraction of the diagonal of surface and sections.
   double on_plane = 1e-6;
+  /// Of frame_sections(), for check_framed_sections() only; a fraction of the diagonal of the contours.
+  double plane_tolerance = 1e-3;
 };
 
 /// The solid of a surface against one section.
@@ -123,6 +125,7 @@ SectionCheck check_sections(const Surface& surface, const Sections& sections,
 /// one plane are united, planes fitted to their vertices and vertices brought on to them, contours without
 /// area left out. What framing notes and warns of goes to the log of `context`. Errors: of frame_sections().
 Result<SectionCheck> check_framed_sections(const Surface& surface, const Sections& sections,
-                                           double plane_tolerance, const Context& context = {});
+                                           const SectionCheckOptions& options = {},
+                                           const Context& context = {});
 
 }  // namespace crossloft

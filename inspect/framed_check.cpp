@@ -40,9 +40,9 @@ void add_displacements(const FramedPlane& frame, PlaneCheck& plane, SectionCheck
 
 }  // namespace
 
-Result<SectionCheck> check_framed_sections(const Surface& surface, const Sections& in, double plane_tolerance,
-                                           const Context& context) {
-  const auto framed = frame_sections(in, plane_tolerance, context);
+Result<SectionCheck> check_framed_sections(const Surface& surface, const Sections& in,
+                                           const SectionCheckOptions& options, const Context& context) {
+  const auto framed = frame_sections(in, options.plane_tolerance, context);
   if (!framed) return framed.error();
   tell(*framed, context);
   const auto frames = frames_by_source(*framed, in.planes.size());
@@ -54,7 +54,7 @@ Result<SectionCheck> check_framed_sections(const Surface& surface, const Section
                                       : without_contours(in.planes[p]));
     positions.push_back(p);
   }
-  SectionCheck check = check_sections(surface, united);
+  SectionCheck check = check_sections(surface, united, options);
   for (std::size_t i = 0; i < positions.size(); ++i) {
     check.planes[i].plane = positions[i];
     if (frames[positions[i]]) add_displacements(*frames[positions[i]], check.planes[i], check);

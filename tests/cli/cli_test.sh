@@ -122,6 +122,8 @@ cmp -s apart.ply touching.ply && { echo "FAILED: --keep-touching changes nothing
 
 expect 0 '^pinched .*, 0 left touching' reconstruct "$source/examples/figures/fig18.contour" -o free.ply --separate 1e-3 --report free.json
 grep -q '"contacts": 0,' free.json && grep -q '"separation": 0.001,\?$' free.json || fail 'separated figures touch'
+expect 1 '^NOT good: sections are missing' check free.ply "$source/examples/figures/fig18.contour"
+expect 0 '^good$' check free.ply "$source/examples/figures/fig18.contour" --on-plane 1e-3
 expect 2 '' reconstruct "$source/examples/demo.contour" -o free.ply --separate 2
 
 # Flat sections: left out with a warning, or plates
@@ -173,11 +175,11 @@ grep -qx 'NOT good: components are inside out' out.txt || fail 'not told that it
 expect 1 '^NOT good: triangles overlap in a plane$' check twice.off
 echo 'no surface' >none.obj
 expect 1 '^NOT good: the surface has no triangles$' check none.obj
-expect 1 '^NOT good: the surface has no triangles, sections are missing$' check none.obj cube.contour
+expect 1 '^NOT good: the surface has no triangles, sections are missing .1 of their area.$' check none.obj cube.contour
 expect 0 'none.obj has no triangles' compare none.obj none.obj
 grep -q nan out.txt && fail 'a ratio of nothing'
 printf "3\n$(section 0)$(section 1)$(section 5)" >tall.contour
-expect 1 '^NOT good: sections are missing$' check cube.ply tall.contour
+expect 1 '^NOT good: sections are missing .0.333 of their area.$' check cube.ply tall.contour
 expect 0 '^good$' check cube.ply tall.contour --max-missing 0.4
 expect 1 '^NOT good: .*too far off$' check cube.ply tall.contour --max-missing 1 --max-distance 0.9
 for limit in distance missing extra; do

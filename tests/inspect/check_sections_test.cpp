@@ -127,7 +127,7 @@ TEST_CASE("materials and doubled edges: even-odd over walls only") {
 namespace {
 
 SectionCheck check_framed(const Surface& mesh, const Sections& sections) {
-  const auto check = check_framed_sections(mesh, sections, 1e-3);
+  const auto check = check_framed_sections(mesh, sections);
   REQUIRE(check.ok());
   return *check;
 }
@@ -154,7 +154,7 @@ TEST_CASE("records of one plane are one section, as reconstruct has it") {
   CHECK(r.section_area == doctest::Approx(4));
   CHECK(r.difference_area() < 1e-12);
   CHECK(r.distance < 1e-12);
-  const auto overlapping = check_framed_sections(mesh, {"", {square(0, 0, 1), square(0, 0.5, 2)}}, 1e-3);
+  const auto overlapping = check_framed_sections(mesh, {"", {square(0, 0, 1), square(0, 0.5, 2)}});
   REQUIRE_FALSE(overlapping.ok());
   CHECK(overlapping.error().code == ErrorCode::contradicting_planes);
 }
@@ -171,6 +171,7 @@ TEST_CASE("a plane off its vertices is compared where reconstruct fits it") {
   CHECK(r.section_displacement == doctest::Approx(1e-4));
   CHECK(r.planes[0].section_off_plane == 0);
   CHECK(r.planes[1].section_off_plane == r.section_off_plane);
+  CHECK_FALSE(check_framed_sections(mesh, sections, {1e-6, 1e-5}).ok());
 }
 
 TEST_CASE("a plane that framing leaves out is met by nothing") {
