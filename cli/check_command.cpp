@@ -183,7 +183,10 @@ void add_check(CLI::App& program, ExitCode& outcome) {
       "crossloft check bear.ply bear.contour",
       [&outcome](const Arguments& arguments) { outcome = run(arguments); });
   command->add_option("SURFACE", a.surface, "the surface")->required()->check(is_surface_file());
-  command->add_option("FILE", a.sections, "cross-sections to compare with, plane by plane")
+  command
+      ->add_option("FILE", a.sections,
+                   "cross-sections to compare with, plane by plane; where they needed a repair, those that "
+                   "repair wrote")
       ->check(is_sections_file());
   add_limits(*command, a);
   command->add_flag("--quiet", a.quiet, "only the exit code");

@@ -107,6 +107,7 @@ expect 0 '^surface' reconstruct clean.contour -o clean.ply
 expect 0 '^crossings +1 change' reconstruct bowtie2.contour -o bowtie2.ply --repair --report bowtie2.json
 grep -q '"repair": {' bowtie2.json || fail 'the report does not tell of the repair'
 printf "2\n$(section 1)0 0 1 0 4 3\n${square//%s/0}0 1 1 0\n1 2 1 0\n2 3 1 0\n" >open2.contour
+expect 3 '^crossloft: open2.contour.*not closed' check cube.ply open2.contour
 expect 1 'left out' repair open2.contour -o open2_clean.contour
 expect 0 '^contour-closed' repair open2.contour -o open2_clean.contour --close-gap 1 --limit 1
 expect 2 '' repair cube.contour -o clean.contour --limit 2
