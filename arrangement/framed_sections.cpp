@@ -318,6 +318,13 @@ void tell_of_coincidences(const PlaneFrames& frames, FramedSections& out) {
 
 }  // namespace
 
+PlaneSection plane_in_input(const LatticePlane& plane, const WorldGrid& grid) {
+  PlaneSection section;
+  section.normal = unit_vector(plane.normal);
+  section.offset = -dot(section.normal, grid.from_lattice(make_point(plane.origin)));
+  return section;
+}
+
 Result<FramedSections> frame_sections(const Sections& in, double plane_tolerance, const Context& context) {
   if (!(plane_tolerance >= 0 && plane_tolerance <= 0.1))
     return Error{ErrorCode::usage, "the plane tolerance must be between 0 and 0.1", in.source};

@@ -45,6 +45,9 @@ struct FramedSections {
   std::vector<std::string> notes, warnings;  ///< one sentence each
 };
 
+/// The plane in input units, still without its section.
+PlaneSection plane_in_input(const LatticePlane& plane, const WorldGrid& grid);
+
 /// Warnings of a result without planes: there was no wall at all, or none that was left.
 inline constexpr const char* kNoContour = "no section has a contour";
 inline constexpr const char* kNoWideContour = "no contour is wide enough to be told from a line";

@@ -22,6 +22,17 @@ CLI::Validator extension_in(std::vector<std::string> extensions) {
   return CLI::Validator(check, list);
 }
 
+const CLI::Validator& is_not_negative() {
+  static const CLI::Validator validator(
+      [](const std::string& text) -> std::string {
+        double value = 0;
+        const bool good = CLI::detail::lexical_cast(text, value) && value >= 0;
+        return good ? "" : text + " is not a number from 0 up";
+      },
+      "NONNEGATIVE");
+  return validator;
+}
+
 namespace {
 
 namespace fs = std::filesystem;

@@ -26,6 +26,9 @@ inline const CLI::Validator& is_solid_file() {
   return validator;
 }
 
+/// Accepts numbers from 0 to infinity; "nan" is none.
+const CLI::Validator& is_not_negative();
+
 /// Looks at a command's outputs before its work: each needs a folder that is there and can be written to, and no output may be
 /// an input or another output. Empty paths are skipped.
 Result<Done> check_outputs(const std::vector<std::string>& inputs, const std::vector<std::string>& outputs);

@@ -1,5 +1,9 @@
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "../inspect/check.h"
 #include "../io/read_mesh.h"
@@ -13,7 +17,8 @@ namespace {
 
 struct Arguments {
   std::string surface, sections;
-  double max_distance = INFINITY, max_extra = 0.05;
+  double max_distance = INFINITY, max_missing = 0.1, max_extra = 0.05;
+  SectionCheckOptions options;
   bool quiet = false;
 };
 
@@ -58,20 +63,59 @@ void print_components(Terminal& terminal, const CheckReport& r) {
 
 void print_sections(Terminal& terminal, const SectionCheck& check) {
   terminal.print("\nplane  section area   missing       extra         distance\n");
-  for (std::size_t i = 0; i < check.planes.size(); ++i) {
-    const PlaneCheck& p = check.planes[i];
-    terminal.print("%5zu  %-13.6g %-13.3g %-13.3g %-.3g\n", i, p.section_area, p.missing_area, p.extra_area,
-                   p.distance);
+  for (const PlaneCheck& p : check.planes) {
+    terminal.print("%5u  %-13.6g %-13.3g %-13.3g %-.3g\n", p.plane, p.section_area, p.missing_area,
+                   p.extra_area, p.distance);
   }
-  terminal.print("  all  %-13.6g difference %.3g, largest distance %.3g (%.3g of the diagonal)\n",
-                 check.section_area, check.difference_area, check.distance, check.distance / check.diagonal);
+  terminal.print("  all  %-13.6g %-13.3g %-13.3g %.3g (%.3g of the diagonal)\n", check.section_area,
+                 check.missing_area, check.extra_area, check.distance,
+                 check.diagonal > 0 ? check.distance / check.diagonal : 0);
+  terminal.print(
+      "off plane    vertices up to %.3g off their planes in the file; brought on to fitted ones by up to "
+      "%.3g\n",
+      check.section_off_plane, check.section_displacement);
 }
 
-/// Solid where no section is: never right, while section without solid may be a flat.
-double extra_area(const SectionCheck& check) {
-  double sum = 0;
-  for (const PlaneCheck& p : check.planes) sum += p.extra_area;
-  return sum;
+/// A promise that does not hold, in words that follow "NOT good: ".
+using Broken = std::vector<std::string>;
+
+void add(Broken& broken, bool is_broken, std::string what) {
+  if (is_broken) broken.push_back(std::move(what));
+}
+
+Broken broken_promises(const CheckReport& r) {
+  Broken broken;
+  add(broken, r.triangles == 0, "the surface has no triangles");
+  add(broken, r.bad_coordinates > 0, "coordinates are no numbers");
+  add(broken, !r.closed(), "not closed");
+  add(broken, !r.oriented(), "not oriented");
+  add(broken, r.nonmanifold_vertices > 0, "not manifold");
+  add(broken, r.crossings > 0, "triangles cross");
+  add(broken, r.overlaps > 0, "triangles overlap in a plane");
+  add(broken, r.inverted > 0, "components are inside out");
+  return broken;
+}
+
+std::string share(double area, const SectionCheck& check) {
+  std::array<char, 64> text{};
+  std::snprintf(text.data(), text.size(), " (%.3g of their area)", area / check.section_area);
+  return text.data();
+}
+
+/// A flat region of a section may be bare, but not most of it; solid where no section is is never right.
+void add_sections(Broken& broken, const SectionCheck& check, const Arguments& limits) {
+  add(broken, check.missing_area > limits.max_missing * check.section_area,
+      "sections are missing" + share(check.missing_area, check));
+  add(broken, check.extra_area > limits.max_extra * check.section_area,
+      "solid outside of the sections" + share(check.extra_area, check));
+  add(broken, check.distance > limits.max_distance * check.diagonal, "section boundaries are too far off");
+}
+
+void print_verdict(Terminal& terminal, const Broken& broken) {
+  if (broken.empty()) return terminal.print("good\n");
+  std::string list;
+  for (const std::string& what : broken) list += (list.empty() ? "" : ", ") + what;
+  terminal.print("NOT good: %s\n", list.c_str());
 }
 
 ExitCode run(const Arguments& arguments) {
@@ -83,44 +127,68 @@ ExitCode run(const Arguments& arguments) {
   const CheckReport topology = check_surface(*surface);
   print_topology(terminal, topology);
   print_components(terminal, topology);
-  bool good = topology.good_topology() && topology.crossings == 0;
+  Broken broken = broken_promises(topology);
   if (!arguments.sections.empty()) {
     const auto sections = read_sections(arguments.sections, context);
     if (!sections) return terminal.fail(sections.error());
-    const SectionCheck check = check_sections(*surface, *sections);
-    print_sections(terminal, check);
-    good = good && !(check.distance > arguments.max_distance * check.diagonal) &&
-           !(extra_area(check) > arguments.max_extra * check.section_area);
+    const auto check = check_framed_sections(*surface, *sections, arguments.options, context);
+    if (!check) return terminal.fail(check.error());
+    print_sections(terminal, *check);
+    add_sections(broken, *check, arguments);
   }
-  terminal.print("%s\n", good ? "good" : "NOT good");
-  return good ? kGood : kPromiseBroken;
+  print_verdict(terminal, broken);
+  return broken.empty() ? kGood : kPromiseBroken;
+}
+
+/// What still is no broken promise.
+void add_limits(CLI::App& command, Arguments& a) {
+  const auto add_limit = [&](const char* name, double& value, const char* help) {
+    return command.add_option(name, value, help)->check(is_not_negative());
+  };
+  add_limit(
+      "--max-distance", a.max_distance,
+      "a section boundary further off breaks a promise; a fraction of the diagonal (default: none, since "
+      "flat sections are bare by design)");
+  add_limit("--max-missing", a.max_missing,
+            "more section without solid breaks a promise; a fraction of the sections' area. Flat regions are "
+            "bare by design, so it is not 0")
+      ->capture_default_str();
+  add_limit("--max-extra", a.max_extra,
+            "more solid outside of the sections breaks a promise; a fraction of their area. Sections that "
+            "disagree are brought together within the match tolerance, so it is not 0")
+      ->capture_default_str();
+  command
+      .add_option(
+          "--on-plane", a.options.on_plane,
+          "a surface vertex this near a plane lies on it; a fraction of the diagonal. What --separate moved "
+          "needs as much as that was given")
+      ->capture_default_str()
+      ->check(CLI::Range(0.0, 0.1));
+  command
+      .add_option("--plane-tolerance", a.options.plane_tolerance,
+                  "a section vertex further from its plane is an error, as in reconstruct; a fraction of the "
+                  "diagonal")
+      ->capture_default_str()
+      ->check(CLI::Range(0.0, 0.1));
 }
 
 }  // namespace
 
 void add_check(CLI::App& program, ExitCode& outcome) {
-  auto [command, a] =
-      add_command<Arguments>(program, "check",
-                             "Is a surface closed, oriented, manifold (by index) and free of proper "
-                             "crossings (exactly)? Does it meet the\n"
-                             "planes in the sections? Exit code 1 if not.",
-                             "crossloft check bear.ply bear.contour",
-                             [&outcome](const Arguments& arguments) { outcome = run(arguments); });
+  auto [command, a] = add_command<Arguments>(
+      program, "check",
+      "Is a surface closed, oriented, manifold (by index) and the right side out? Do no triangles cross or "
+      "overlap (exactly)?\n"
+      "Does it meet the planes in the sections, as reconstruct takes these? Exit code 1 if not.",
+      "crossloft check bear.ply bear.contour",
+      [&outcome](const Arguments& arguments) { outcome = run(arguments); });
   command->add_option("SURFACE", a.surface, "the surface")->required()->check(is_surface_file());
-  command->add_option("FILE", a.sections, "cross-sections to compare with, plane by plane")
+  command
+      ->add_option("FILE", a.sections,
+                   "cross-sections to compare with, plane by plane; where they needed a repair, those that "
+                   "repair wrote")
       ->check(is_sections_file());
-  command
-      ->add_option(
-          "--max-distance", a.max_distance,
-          "a section boundary further off breaks a promise; a fraction of the diagonal (default: none, "
-          "since flat sections are bare by design)")
-      ->check(CLI::NonNegativeNumber);
-  command
-      ->add_option("--max-extra", a.max_extra,
-                   "more solid outside of the sections breaks a promise; a fraction of their area. Sections that disagree are "
-                   "brought together within the match tolerance, so it is not 0")
-      ->capture_default_str()
-      ->check(CLI::NonNegativeNumber);
+  add_limits(*command, a);
   command->add_flag("--quiet", a.quiet, "only the exit code");
 }
 

@@ -16,8 +16,9 @@ struct Arguments {
 
 void print_comparison(Terminal& terminal, const CompareReport& r) {
   terminal.print("                 A               B\n");
-  terminal.print("volume           %-15.9g %-15.9g B / A = %.6g\n", r.volume_a, r.volume_b,
-                 r.volume_b / r.volume_a);
+  terminal.print("volume           %-15.9g %-15.9g", r.volume_a, r.volume_b);
+  if (r.volume_a != 0) terminal.print(" B / A = %.6g", r.volume_b / r.volume_a);
+  terminal.print("\n");
   terminal.print("components       %-15u %-15u\n", r.components_a, r.components_b);
   terminal.print("genus            %-15lld %-15lld\n", static_cast<long long>(r.genus_a),
                  static_cast<long long>(r.genus_b));
@@ -34,6 +35,7 @@ Result<Surface> read_closed(const std::string& path, const Context& context) {
   if (!surface) return surface;
   const CheckReport check = check_surface(*surface);
   if (check.bad_coordinates > 0) return Error{ErrorCode::not_finite, "not a finite coordinate", path};
+  if (check.triangles == 0) context.warn(path + " has no triangles");
   if (!check.closed()) context.warn(path + " is not closed: its volume and overlap mean little");
   return surface;
 }

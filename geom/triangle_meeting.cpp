@@ -59,21 +59,24 @@ struct Turned {
   Turned(const Corners& t, int k) : first(t[k]), second(t[next(k)]), third(t[next(next(k))]) {}
 };
 
-bool none_is_zero(const Signs& s) { return s[0] * s[1] * s[2] != 0; }
-/// Of three signs that are not all the same, the one that differs.
-int lone(const Signs& s) { return s[0] == s[1] ? 2 : s[0] == s[2] ? 1 : 0; }
+/// The only one of its side, and the others are on the other side or in the plane. REQUIRES: corners on both
+/// sides.
+int lone(const Signs& s) {
+  const int above = (s[0] > 0) + (s[1] > 0) + (s[2] > 0);
+  const int sign = above == 1 ? 1 : -1;
+  return s[0] == sign ? 0 : s[1] == sign ? 1 : 2;
+}
 
-/// Triangles of which each has corners strictly on both sides of the other's plane, and none in it. What each
-/// has in common with the line l = Na x Nb of both planes is an interval, from one edge at its lone corner to
-/// the other edge there. An edge pierces the other triangle iff the intervals have inner points in common and
-/// are not the same.
+/// Triangles of which each has corners strictly on both sides of the other's plane. What the interior of each
+/// has in common with the line l = Na x Nb of both planes is an open interval, from one edge at its lone
+/// corner to the other edge there; the question is whether these two have common points.
 ///
-/// With the lone corners p (on the side i of b's plane) and q (on the side k of a's), edges e = a' - p and f =
-/// b' - q that meet l in P and Q: orient3d(p, a', q, b') = det(e, q - p, f) = (Q - P).(f x e), up to positive
-/// factors, and l.(f x e) = (Na.f)(Nb.e), which has the sign i k: that tells the order of P and Q along l. The
-/// edge to the second corner is the one that meets l later iff i > 0; for b, iff k < 0, as for it the line is
-/// -l. (Source: Guigue and Devillers, Fast and robust triangle-triangle overlap test, 2003, whose two
-/// questions these are.)
+/// With the lone corners p (on the side i of b's plane) and q (on the side k of a's), edges e = a' - p and f
+/// = b' - q that meet l in P and Q: orient3d(p, a', q, b') = det(e, q - p, f) = (Q - P).(f x e), up to
+/// positive factors, and l.(f x e) = (Na.f)(Nb.e), which has the sign i k: that tells the order of P and Q
+/// along l. The edge to the second corner is the one that meets l later iff i > 0; for b, iff k < 0, as for
+/// it the line is -l. All of that holds too where a' or b' is on l. (Source: Guigue and Devillers, Fast and
+/// robust triangle-triangle overlap test, 2003, whose two questions these are.)
 bool intervals_meet(const Corners& a, const Signs& a_side, const Corners& b, const Signs& b_side) {
   const int i = lone(a_side), k = lone(b_side);
   const Turned p(a, i), q(b, k);
@@ -84,16 +87,14 @@ bool intervals_meet(const Corners& a, const Signs& a_side, const Corners& b, con
   const bool a_up = a_side[i] > 0, b_up = b_side[k] < 0;
   const Vec3 &a_low = a_up ? p.third : p.second, &a_high = a_up ? p.second : p.third;
   const Vec3 &b_low = b_up ? q.third : q.second, &b_high = b_up ? q.second : q.third;
-  return order(a_high, b_low) < 0 && order(a_low, b_high) > 0 &&
-         (order(a_low, b_low) != 0 || order(a_high, b_high) != 0);
+  return order(a_high, b_low) < 0 && order(a_low, b_high) > 0;
 }
 
 /// Likewise of triangles that share a corner, the only one in the other's plane: the opposite edges meet l in
-/// X and Y beside the corner. If both are on the same side of it, the nearer one is within the other triangle.
-/// X, of the edge bc, is where a is iff it passes the edge from the corner as a line through a's inside does.
+/// X and Y beside the corner, and the question is whether on the same side of it. X, of the edge bc, is where
+/// a is iff it passes the edge from the corner as a line through a's inside does.
 bool opposite_edges_meet(const Turned& a, const Turned& b, int side_of_second) {
-  return orient3d(b.second, b.third, a.first, a.second) == -side_of_second &&
-         orient3d(b.second, b.third, a.second, a.third) != 0;
+  return orient3d(b.second, b.third, a.first, a.second) == -side_of_second;
 }
 
 /// The only zero; -1 if there is none or several.
@@ -102,12 +103,13 @@ int only_zero(const Signs& s) {
   return zeros != 1 ? -1 : s[0] == 0 ? 0 : s[1] == 0 ? 1 : 2;
 }
 
-/// An edge of one passes through the other's interior. REQUIRES: both have corners on both sides.
+/// REQUIRES: each has corners on both sides, or is degenerate as the other sees it: all signs are 0.
 bool cross_each_other(const Corners& a, const Signs& a_side, const Corners& b, const Signs& b_side) {
-  if (none_is_zero(a_side) && none_is_zero(b_side)) return intervals_meet(a, a_side, b, b_side);
+  if (all_equal(a_side, 0)) return edge_pierces(b, b_side, a);
+  if (all_equal(b_side, 0)) return edge_pierces(a, a_side, b);
   const int i = only_zero(a_side), k = only_zero(b_side);
   if (i >= 0 && k >= 0 && a[i] == b[k]) return opposite_edges_meet({a, i}, {b, k}, b_side[next(k)]);
-  return edge_pierces(b, b_side, a) || edge_pierces(a, a_side, b);
+  return intervals_meet(a, a_side, b, b_side);
 }
 
 /// A plane seen along an axis that is not parallel to it: turns of its points need two coordinates only,

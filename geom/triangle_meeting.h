@@ -14,8 +14,9 @@ using Corners = std::array<Vec3, 3>;
 
 enum class Meeting : std::uint8_t {
   none,      ///< apart or touching
-  crossing,  ///< an edge of one passes transversally through the interior of the other
-  overlap,   ///< coplanar with common interior points
+  crossing,  ///< in two planes, with common interior points; or an edge of one that is degenerate passes
+             ///< transversally through the interior of the other
+  overlap,   ///< in one plane, with common interior points
 };
 
 /// How a segment meets a triangle.

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "../geom/box_tree.h"
+#include "../geom/ids.h"
 #include "../geom/triangle_meeting.h"
 #include "surface_topology.h"
 
@@ -10,6 +11,9 @@ namespace crossloft {
 namespace {
 
 constexpr std::size_t kListedPairs = 16;
+/// Of six times one triangle's volume, and of one step of their sum, by the product of the three lengths that
+/// it comes from.
+constexpr double kTermRounding = 0x1p-50;
 
 std::vector<Bounds> triangle_boxes(const Surface& surface, std::span<const std::uint32_t> triangles) {
   std::vector<Bounds> boxes;
@@ -30,6 +34,7 @@ class Geometry {
 
   void run() {
     measure();
+    find_largest();
     count_degenerate();
     count_meetings();
     nest_components();
@@ -38,16 +43,35 @@ class Geometry {
  private:
   Corners corners_of(std::uint32_t listed) const { return corners(surface_, topology_.triangles[listed]); }
 
-  /// Volumes relative to the box's centre: far from the origin the terms would cancel.
+  double area_of(std::uint32_t listed) const {
+    const Corners t = corners_of(listed);
+    return 0.5 * norm(cross(t[1] - t[0], t[2] - t[0]));
+  }
+
+  /// Volumes relative to a corner of the component: further away the terms would cancel.
   void measure() {
-    const Vec3 center = box_.center();
     for (std::uint32_t i = 0; i < topology_.triangles.size(); ++i) {
+      ComponentReport& c = report_.components[topology_.component[i]];
+      const Vec3 base = corners(surface_, c.first_triangle)[0];
       const Corners t = corners_of(i);
-      const double volume = dot(t[0] - center, cross(t[1] - center, t[2] - center)) / 6;
-      report_.components[topology_.component[i]].volume += volume;
-      report_.area += 0.5 * norm(cross(t[1] - t[0], t[2] - t[0]));
+      const Vec3 p = t[0] - base, e = t[1] - t[0], f = t[2] - t[0];
+      c.volume += dot(p, cross(e, f));
+      c.volume_rounding += kTermRounding * norm(p) * norm(e) * norm(f);
+      report_.area += area_of(i);
     }
-    for (const ComponentReport& c : report_.components) report_.volume += c.volume;
+    for (ComponentReport& c : report_.components) {
+      c.volume /= 6;
+      c.volume_rounding *= c.triangles / 6.0;
+      report_.volume += c.volume;
+    }
+  }
+
+  void find_largest() {
+    largest_.resize(report_.components.size(), kNone);
+    for (std::uint32_t i = 0; i < topology_.triangles.size(); ++i) {
+      std::uint32_t& largest = largest_[topology_.component[i]];
+      if (largest == kNone || area_of(i) > area_of(largest)) largest = i;
+    }
   }
 
   void count_degenerate() {
@@ -81,7 +105,8 @@ class Geometry {
   void nest_components() {
     const bool all_closed = std::all_of(report_.components.begin(), report_.components.end(),
                                         [](const ComponentReport& c) { return c.manifold; });
-    if (all_closed && report_.components.size() > 1)
+    if (!all_closed) return;
+    if (report_.components.size() > 1)
       for (std::uint32_t c = 0; c < report_.components.size(); ++c) report_.components[c].depth = depth_of(c);
     for (const ComponentReport& c : report_.components) {
       report_.cavities += c.cavity();
@@ -90,9 +115,10 @@ class Geometry {
   }
 
   /// Number of other components that a ray from this one leaves an odd number of times. Rays that touch an
-  /// edge or vertex say nothing exact; then another direction is tried.
+  /// edge or vertex say nothing exact; then another direction is tried. They start from the largest triangle:
+  /// within a needle rounding might bring the start through a neighbour.
   std::uint32_t depth_of(std::uint32_t component) const {
-    const Corners t = corners(surface_, report_.components[component].first_triangle);
+    const Corners t = corners_of(largest_[component]);
     const Vec3 from = (1.0 / 3) * (t[0] + t[1] + t[2]);
     std::vector<std::uint32_t> left;
     for (int attempt = 0; attempt < 16; ++attempt)
@@ -135,6 +161,7 @@ class Geometry {
   CheckReport& report_;
   Bounds box_;
   BoxTree tree_;
+  std::vector<std::uint32_t> largest_;  // by component: the triangle of the largest area, as listed
 };
 
 }  // namespace

@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "../arrangement/sections.h"
+#include "../geom/context.h"
+#include "../geom/result.h"
 #include "../reconstruct/surface.h"
 
 namespace crossloft {
@@ -19,13 +21,17 @@ struct ComponentReport {
   std::int64_t euler = 0;   ///< vertices - edges + triangles
   std::int64_t genus = 0;   ///< 1 - euler / 2 if manifold, else 0
   double volume = 0;        ///< signed, in cubed input units; negative if its inside is on the wrong side
-  std::uint32_t depth = 0;  ///< number of other components that enclose it (counted if all is closed)
+  double volume_rounding = 0;  ///< bound of its error: within that of 0 the sign says nothing
+  std::uint32_t depth = 0;     ///< number of other components that enclose it (counted if all are manifold)
   std::uint32_t first_triangle = 0;
 
   /// A hole inside the solid that can't be seen from outside.
   bool cavity() const { return volume < 0 && depth % 2 == 1; }
   /// Inside out: its orientation contradicts its depth.
-  bool inverted() const { return manifold && (volume < 0) != (depth % 2 == 1) && volume != 0; }
+  bool inverted() const {
+    const bool is_sure = volume > volume_rounding || volume < -volume_rounding;
+    return manifold && is_sure && (volume < 0) != (depth % 2 == 1);
+  }
 };
 
 struct CheckReport {
@@ -47,7 +53,7 @@ struct CheckReport {
   std::vector<std::array<std::uint32_t, 2>> crossing_pairs;  ///< the first of them (at most 16), ascending
 
   std::vector<ComponentReport> components;  ///< by first triangle
-  std::uint32_t cavities = 0, inverted = 0;
+  std::uint32_t cavities = 0, inverted = 0;  ///< of them, counted if all are manifold
   std::int64_t genus = 0;       ///< sum over the components
   double volume = 0, area = 0;  ///< signed volume and area of the whole
 
@@ -60,20 +66,24 @@ struct CheckReport {
   bool good_topology() const { return oriented() && manifold(); }
 };
 
-/// Two triangles cross properly iff an edge of one passes transversally through the interior of the other:
-/// the edge's ends are strictly on both sides of the plane, and it meets the plane strictly inside. Decided
-/// exactly on the double coordinates, without tolerance; whatever only touches, shares a vertex or an edge
-/// (by index or by equal coordinates) does not cross there. Overlaps in a common plane are counted
+/// Two triangles cross properly iff they lie in two planes and have a point in common that is an inner one of
+/// both; one without area, which has no inner points, iff an edge of it passes through the inside of the
+/// other. Decided exactly on the double coordinates, without tolerance; whatever only touches, shares a
+/// vertex or an edge (by index or by equal coordinates) does not cross there. So surfaces that pass through
+/// each other only along edges that both have are not found. Overlaps in a common plane are counted
 /// separately. Expected O(n log n) for n triangles of a surface; a million takes seconds. Never fails.
 CheckReport check_surface(const Surface& surface);
 
 struct SectionCheckOptions {
   /// Vertices this close to a plane lie on it; a fraction of the diagonal of surface and sections.
   double on_plane = 1e-6;
+  /// Of frame_sections(), for check_framed_sections() only; a fraction of the diagonal of the contours.
+  double plane_tolerance = 1e-3;
 };
 
 /// The solid of a surface against one section.
 struct PlaneCheck {
+  std::uint32_t plane = 0;  ///< position in the file; the first of those that are one plane
   double section_area = 0;  ///< of the given section (even-odd)
   double surface_area = 0;  ///< of the cross-section of the surface's solid
   double missing_area = 0;  ///< section without solid
@@ -81,16 +91,22 @@ struct PlaneCheck {
   /// Largest distance from a point of one boundary to the other boundary, both ways; +infinity if exactly one
   /// of the two is empty.
   double distance = 0;
-  double off_plane = 0;  ///< largest distance from the plane of a vertex taken as lying on it
+  double off_plane = 0;  ///< largest distance from the plane of a surface vertex taken as lying on it
+  // Of check_framed_sections() only:
+  double section_off_plane = 0;     ///< largest distance of a section vertex from the plane of the file
+  double section_displacement = 0;  ///< largest way of one to where it is compared
 
   double difference_area() const { return missing_area + extra_area; }
 };
 
 struct SectionCheck {
-  std::vector<PlaneCheck> planes;                ///< in the order of the sections
-  double section_area = 0, difference_area = 0;  ///< sums
-  double distance = 0;                           ///< largest
+  std::vector<PlaneCheck> planes;                             ///< in the order of the sections
+  double section_area = 0, missing_area = 0, extra_area = 0;  ///< sums
+  double distance = 0;                                        ///< largest
+  double section_off_plane = 0, section_displacement = 0;     ///< largest
   double diagonal = 0;  ///< of the box of surface and sections, the unit of `on_plane`
+
+  double difference_area() const { return missing_area + extra_area; }
 };
 
 /// Cuts the surface's solid (even-odd) with every plane and compares with its section.
@@ -104,5 +120,12 @@ struct SectionCheck {
 /// O((n + s) log s) a plane for n triangles and s boundary segments. Planes with a zero normal report zeros.
 SectionCheck check_sections(const Surface& surface, const Sections& sections,
                             const SectionCheckOptions& options = {});
+
+/// The same with the sections as reconstruct() takes them (arrangement/framed_sections.h): several records of
+/// one plane are united, planes fitted to their vertices and vertices brought on to them, contours without
+/// area left out. What framing notes and warns of goes to the log of `context`. Errors: of frame_sections().
+Result<SectionCheck> check_framed_sections(const Surface& surface, const Sections& sections,
+                                           const SectionCheckOptions& options = {},
+                                           const Context& context = {});
 
 }  // namespace crossloft

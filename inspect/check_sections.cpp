@@ -187,8 +187,10 @@ SectionCheck check_sections(const Surface& surface, const Sections& sections,
     check.planes.emplace_back();
     if (norm(s.normal) > 0)
       check.planes.back() = PlaneJudge(surface, s, center, options.on_plane * check.diagonal).run();
+    check.planes.back().plane = position_of(sections, static_cast<std::uint32_t>(check.planes.size() - 1));
     check.section_area += check.planes.back().section_area;
-    check.difference_area += check.planes.back().difference_area();
+    check.missing_area += check.planes.back().missing_area;
+    check.extra_area += check.planes.back().extra_area;
     check.distance = std::max(check.distance, check.planes.back().distance);
   }
   return check;

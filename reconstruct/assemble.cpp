@@ -25,11 +25,6 @@ std::array<std::uint32_t, 4> canonical(const std::array<std::uint32_t, 4>& t) {
 
 using Tet = std::array<std::uint32_t, 4>;
 
-Vec3 unit_normal(const LatticeVector& n) {
-  const Vec3 v{static_cast<double>(n[0]), static_cast<double>(n[1]), static_cast<double>(n[2])};
-  return (1 / norm(v)) * v;
-}
-
 }  // namespace
 
 void sort_tets(std::span<Tet> tets, std::size_t vertices, const Context& context) {
@@ -139,8 +134,7 @@ Sections assemble_sections(const FramedSections& framed, const SectionGraph& gra
   parallel_for(graph.planes.size(), context, "sections", [&](std::size_t k) {
     const auto p = static_cast<std::uint32_t>(k);
     PlaneSection& plane = sections.planes[p];
-    plane.normal = unit_normal(graph.planes[p].normal);
-    plane.offset = -dot(plane.normal, framed.grid.from_lattice(make_point(graph.planes[p].origin)));
+    plane = plane_in_input(graph.planes[p], framed.grid);
     fill_section(plane, pieces_of_plane(p, graph, faces, of_plane[p], numbering), numbering, framed.grid);
   });
   return sections;

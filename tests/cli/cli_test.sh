@@ -107,6 +107,7 @@ expect 0 '^surface' reconstruct clean.contour -o clean.ply
 expect 0 '^crossings +1 change' reconstruct bowtie2.contour -o bowtie2.ply --repair --report bowtie2.json
 grep -q '"repair": {' bowtie2.json || fail 'the report does not tell of the repair'
 printf "2\n$(section 1)0 0 1 0 4 3\n${square//%s/0}0 1 1 0\n1 2 1 0\n2 3 1 0\n" >open2.contour
+expect 3 '^crossloft: open2.contour.*not closed' check cube.ply open2.contour
 expect 1 'left out' repair open2.contour -o open2_clean.contour
 expect 0 '^contour-closed' repair open2.contour -o open2_clean.contour --close-gap 1 --limit 1
 expect 2 '' repair cube.contour -o clean.contour --limit 2
@@ -122,6 +123,8 @@ cmp -s apart.ply touching.ply && { echo "FAILED: --keep-touching changes nothing
 
 expect 0 '^pinched .*, 0 left touching' reconstruct "$source/examples/figures/fig18.contour" -o free.ply --separate 1e-3 --report free.json
 grep -q '"contacts": 0,' free.json && grep -q '"separation": 0.001,\?$' free.json || fail 'separated figures touch'
+expect 1 '^NOT good: sections are missing' check free.ply "$source/examples/figures/fig18.contour"
+expect 0 '^good$' check free.ply "$source/examples/figures/fig18.contour" --on-plane 1e-3
 expect 2 '' reconstruct "$source/examples/demo.contour" -o free.ply --separate 2
 
 # Flat sections: left out with a warning, or plates
@@ -164,7 +167,31 @@ topology() {
 }
 topology 2 1 0 hollow.off
 sed 's/^3 \([0-9]\) \([0-9]\) \([0-9]\)$/3 \1 \3 \2/' hollow.off >inverted.off
-expect 0 '^inside out +2 components$' check inverted.off
+expect 1 '^inside out +2 components$' check inverted.off
+grep -qx 'NOT good: components are inside out' out.txt || fail 'not told that it is inside out'
+
+# What is not good is said
+{ printf 'OFF\n8 8 0\n'; for i in 1 2; do printf '0 0 0\n9 0 0\n0 9 0\n0 0 9\n'; done
+  printf '3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n3 4 6 5\n3 4 5 7\n3 4 7 6\n3 5 6 7\n'; } >twice.off
+expect 1 '^NOT good: triangles overlap in a plane$' check twice.off
+echo 'no surface' >none.obj
+expect 1 '^NOT good: the surface has no triangles$' check none.obj
+expect 1 '^NOT good: the surface has no triangles, sections are missing .1 of their area.$' check none.obj cube.contour
+expect 0 'none.obj has no triangles' compare none.obj none.obj
+grep -q nan out.txt && fail 'a ratio of nothing'
+printf "3\n$(section 0)$(section 1)$(section 5)" >tall.contour
+expect 1 '^NOT good: sections are missing .0.333 of their area.$' check cube.ply tall.contour
+expect 0 '^good$' check cube.ply tall.contour --max-missing 0.4
+expect 1 '^NOT good: .*too far off$' check cube.ply tall.contour --max-missing 1 --max-distance 0.9
+for limit in distance missing extra; do
+  for value in nan -1; do expect 2 'is not a number from 0 up' check cube.ply cube.contour --max-$limit $value; done
+done
+
+# One plane in several records is one section
+beside='0 0 1 %s 4 4\n3 0 %s\n4 0 %s\n4 1 %s\n3 1 %s\n'
+{ printf "4\n$(section 0)$(section 1)"; for z in 0 1; do printf "$beside$edges" "-$z" $z $z $z $z; done; } >records.contour
+expect 0 'planes 1 and 3 are one plane' reconstruct records.contour -o records.ply
+expect 0 '^good$' check records.ply records.contour
 examples=$source/examples/topology
 for mode in joint natural; do expect 0 '' reconstruct "$examples/tunnel.contour" -o $mode.ply --mode $mode; done
 topology 1 0 2 joint.ply

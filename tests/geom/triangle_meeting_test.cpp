@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <vector>
@@ -137,8 +138,51 @@ TEST_CASE("touching in one plane") {
   CHECK_FALSE(touch(kBase, {kBase[0], kBase[1], Vec3{1, 1, 1}}, 2));
 }
 
+TEST_CASE("triangles cross where their boundaries do too, from edge to edge") {
+  // Both meet the line of both planes from (1, 0, 0) to (3, 0, 0).
+  const Corners flat{Vec3{1, -1, 0}, Vec3{1, 1, 0}, Vec3{5, 0, 0}};
+  const Corners upright{Vec3{1, 0, -1}, Vec3{1, 0, 1}, Vec3{5, 0, 0}};
+  CHECK(meeting(flat, upright) == Meeting::crossing);
+  const Corners corners_on_edges{Vec3{1, 0, 0}, Vec3{3, 0, 1}, Vec3{3, 0, -1}};
+  CHECK(meeting({Vec3{1, -1, 0}, Vec3{1, 1, 0}, Vec3{3, 0, 0}}, corners_on_edges) == Meeting::crossing);
+  CHECK(meeting({Vec3{1, 0, 0}, Vec3{3, 1, 0}, Vec3{3, -1, 0}}, corners_on_edges) == Meeting::crossing);
+  CHECK(meeting({Vec3{3, 0, 0}, Vec3{5, 1, 0}, Vec3{5, -1, 0}}, corners_on_edges) == Meeting::none);
+  const Corners from_corner{Vec3{1, 0, 0}, Vec3{9, 1, 1}, Vec3{9, 1, -1}};  // which is inside the other
+  CHECK(meeting({Vec3{0, -1, 0}, Vec3{0, 1, 0}, Vec3{4, 0, 0}}, from_corner) == Meeting::crossing);
+}
+
+namespace {
+
+/// Whether a plane with this normal, not 0, has the triangles on its two closed sides. Whole numbers.
+bool separates(const Vec3& normal, const Corners& a, const Corners& b) {
+  if (normal == Vec3{}) return false;
+  const auto [a_low, a_high] = std::minmax({dot(normal, a[0]), dot(normal, a[1]), dot(normal, a[2])});
+  const auto [b_low, b_high] = std::minmax({dot(normal, b[0]), dot(normal, b[1]), dot(normal, b[2])});
+  return a_high <= b_low || b_high <= a_low;
+}
+
+/// Of triangles in planes that are not parallel the differences a - b fill a polytope, whose facets have
+/// these normals. Interiors have common points iff 0 is inside of it.
+bool interiors_meet(const Corners& a, const Corners& b) {
+  const Vec3 a_normal = cross(a[1] - a[0], a[2] - a[0]), b_normal = cross(b[1] - b[0], b[2] - b[0]);
+  if (cross(a_normal, b_normal) == Vec3{}) return false;
+  if (separates(a_normal, a, b) || separates(b_normal, a, b)) return false;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t k = 0; k < 3; ++k)
+      if (separates(cross(a[(i + 1) % 3] - a[i], b[(k + 1) % 3] - b[k]), a, b)) return false;
+  return true;
+}
+
+bool edge_pierces(const Corners& a, const Corners& b) {
+  for (std::size_t k = 0; k < 3; ++k)
+    if (piercing(a[k], a[(k + 1) % 3], b) == Piercing::pierces) return true;
+  return false;
+}
+
+}  // namespace
+
 // Corners in the other's plane, shared corners and coplanar triangles are frequent on small grids.
-TEST_CASE("random triangles cross iff an edge of one pierces the other") {
+TEST_CASE("random triangles cross iff no plane separates their interiors") {
   std::mt19937 random(5);
   for (int n = 0; n < 200000; ++n) {
     CAPTURE(n);
@@ -148,12 +192,10 @@ TEST_CASE("random triangles cross iff an edge of one pierces the other") {
     for (Corners* t : {&a, &b})
       for (Vec3& p : *t) p = {draw(), draw(), draw()};
     if (n % 3 == 0) b[1] = a[2];
-    bool pierced = false;
-    for (std::size_t k = 0; k < 3; ++k)
-      pierced = pierced || piercing(a[k], a[(k + 1) % 3], b) == Piercing::pierces ||
-                piercing(b[k], b[(k + 1) % 3], a) == Piercing::pierces;
+    const bool degenerate = collinear(a) || collinear(b);
+    const bool crossing = degenerate ? edge_pierces(a, b) || edge_pierces(b, a) : interiors_meet(a, b);
     const Meeting found = meeting(a, b);
-    REQUIRE((found == Meeting::crossing) == pierced);
+    REQUIRE((found == Meeting::crossing) == crossing);
     const Sides a_side{side_of(b, a[0]), side_of(b, a[1]), side_of(b, a[2])};
     const Sides b_side{side_of(a, b[0]), side_of(a, b[1]), side_of(a, b[2])};
     REQUIRE(meeting(a, a_side, b, b_side) == found);

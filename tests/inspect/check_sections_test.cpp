@@ -42,9 +42,9 @@ TEST_CASE("a mesh agrees with its own slices to rounding") {
     const SectionCheck strict = check_sections(mesh, sections, {1e-12}), r = check_sections(mesh, sections);
     CHECK(r.planes.size() == planes.size());
     CHECK(strict.section_area > 0.5);
-    CHECK(strict.difference_area < 1e-13);
+    CHECK(strict.difference_area() < 1e-13);
     CHECK(strict.distance < 1e-12);
-    CHECK(r.difference_area < 1e-5);  // vertices near a plane by chance count as on it
+    CHECK(r.difference_area() < 1e-5);  // vertices near a plane by chance count as on it
     CHECK(r.distance < 1e-4);
   }
 }
@@ -122,4 +122,67 @@ TEST_CASE("materials and doubled edges: even-odd over walls only") {
   CHECK(r.section_area == doctest::Approx(1));
   CHECK(r.difference_area() < 1e-14);
   CHECK(r.distance < 1e-14);
+}
+
+namespace {
+
+SectionCheck check_framed(const Surface& mesh, const Sections& sections) {
+  const auto check = check_framed_sections(mesh, sections);
+  REQUIRE(check.ok());
+  return *check;
+}
+
+PlaneSection moved(PlaneSection section, const Vec3& by) {
+  for (Vec3& v : section.vertices) v = v + by;
+  section.offset -= dot(section.normal, by);
+  return section;
+}
+
+}  // namespace
+
+TEST_CASE("records of one plane are one section, as reconstruct has it") {
+  Surface mesh = cube();
+  append(mesh, moved(cube(), {3, 0, 0}));
+  const Sections sections{"",
+                          {square(0, 0, 1), moved(square(0, 0, 1), {3, 0, 0}), square(1, 0, 1),
+                           moved(square(1, 0, 1), {3, 0, 0})}};
+  const SectionCheck alone = check_sections(mesh, sections), r = check_framed(mesh, sections);
+  CHECK(alone.extra_area == doctest::Approx(4));
+  REQUIRE(r.planes.size() == 2);
+  CHECK(r.planes[0].plane == 0);
+  CHECK(r.planes[1].plane == 2);
+  CHECK(r.section_area == doctest::Approx(4));
+  CHECK(r.difference_area() < 1e-12);
+  CHECK(r.distance < 1e-12);
+  const auto overlapping = check_framed_sections(mesh, {"", {square(0, 0, 1), square(0, 0.5, 2)}});
+  REQUIRE_FALSE(overlapping.ok());
+  CHECK(overlapping.error().code == ErrorCode::contradicting_planes);
+}
+
+TEST_CASE("a plane off its vertices is compared where reconstruct fits it") {
+  Sections sections{"", {square(0, 0, 1), square(1, 0, 1)}};
+  sections.planes[1].vertices[2].z -= 2e-4;
+  Surface mesh = cube();
+  for (Vec3& p : mesh.points) p.z *= 1 - 1e-4;  // half way between the extreme vertices
+  CHECK(check_sections(mesh, sections).missing_area == doctest::Approx(1));
+  const SectionCheck r = check_framed(mesh, sections);
+  CHECK(r.missing_area < 1e-9);
+  CHECK(r.section_off_plane == doctest::Approx(2e-4));
+  CHECK(r.section_displacement == doctest::Approx(1e-4));
+  CHECK(r.planes[0].section_off_plane == 0);
+  CHECK(r.planes[1].section_off_plane == r.section_off_plane);
+  CHECK_FALSE(check_framed_sections(mesh, sections, {1e-6, 1e-5}).ok());
+}
+
+TEST_CASE("a plane that framing leaves out is met by nothing") {
+  PlaneSection far = square(1000.5, 0, 1);
+  far.edges.clear();
+  Surface mesh = cube();
+  const Sections sections{"", {far, square(0, 0, 1), square(1, 0, 1)}};
+  CHECK(check_framed(mesh, sections).extra_area < 1e-12);
+  append(mesh, moved(cube(), {0, 0, 1000}));
+  const SectionCheck r = check_framed(mesh, sections);
+  REQUIRE(r.planes.size() == 3);
+  CHECK(r.planes[0].extra_area == doctest::Approx(1));
+  CHECK(check_framed(cube(), {"", {moved(far, {0, 0, -1000})}}).extra_area == doctest::Approx(1));
 }

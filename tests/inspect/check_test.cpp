@@ -79,6 +79,39 @@ TEST_CASE("tetrahedra that share a vertex or an edge: by index singular, by copi
   CHECK_FALSE(edge.closed());
 }
 
+TEST_CASE("cubes that pass through each other cross, though all lines of that run from edge to edge") {
+  Surface mesh = cube();
+  append(mesh, moved(cube(), {0.5, 0.5, 0.5}));
+  const CheckReport r = check_surface(mesh);
+  CHECK(r.good_topology());
+  CHECK(r.crossings > 0);
+  CHECK(r.overlaps == 0);
+}
+
+TEST_CASE("a cube in the place of another overlaps it and crosses nothing") {
+  Surface mesh = cube();
+  append(mesh, cube());
+  const CheckReport r = check_surface(mesh);
+  CHECK(r.overlaps == 12);
+  CHECK(r.crossings == 0);
+}
+
+TEST_CASE("a body within a body is inside out; nothing is that is open or as thin as rounding") {
+  Surface mesh = cube(0, 10);
+  append(mesh, cube(2, 8));
+  CHECK(check_surface(mesh).inverted == 1);
+  mesh = inside_out(cube());
+  append(mesh, moved(cube(), {2, 0, 0}));
+  CHECK(check_surface(mesh).inverted == 1);
+  mesh.triangles.pop_back();
+  CHECK(check_surface(mesh).inverted == 0);
+  const auto turned = [](double height) {
+    return inside_out(tetrahedron({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.25, 0.25, height}));
+  };
+  CHECK(check_surface(turned(1e-12)).inverted == 1);
+  CHECK(check_surface(turned(1e-17)).inverted == 0);
+}
+
 TEST_CASE("a turned component inside another is a cavity, a further one inside it is not") {
   Surface mesh = cube(0, 10);
   append(mesh, inside_out(cube(2, 8)));

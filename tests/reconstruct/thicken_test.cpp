@@ -79,7 +79,7 @@ TEST_CASE("with plates no section is bare, and the solid meets each plane in its
     SectionCheckOptions close;
     close.on_plane = 1e-12;
     const SectionCheck met = check_sections(r.surface, r.sections, close);
-    CHECK(met.difference_area <= 1e-9 * met.section_area);
+    CHECK(met.difference_area() <= 1e-9 * met.section_area);
     regions += before.report.flat_regions;
   }
   MESSAGE(regions << " flat regions");
