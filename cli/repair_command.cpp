@@ -64,7 +64,8 @@ void add_repair_details(CLI::App& command, RepairOptions& o) {
   command.add_flag("!--no-planes", o.planes, "leave planes, and vertices beside them");
   command.add_flag("!--no-chains", o.chains, "leave open contours, repeated vertices and spikes");
   command.add_flag("!--no-crossings", o.crossings, "leave contours that cross or overlap");
-  command.add_flag("!--no-loops", o.loops, "leave tiny loops and nearly straight runs");
+  command.add_flag("!--no-loops", o.loops,
+                   "leave contours without area, tiny loops and nearly straight runs");
   command.add_flag("!--no-agreement", o.agreement, "leave sections that disagree on common lines");
 }
 
@@ -72,7 +73,8 @@ void add_repair(CLI::App& program, ExitCode& outcome) {
   auto [command, a] = add_command<Arguments>(
       program, "repair",
       "Dirty sections in, sections fit for reconstruction out; every change is listed in the report.\n"
-      "Lengths are fractions of the diagonal of all contours. Exit code 1: something was left as it was.",
+      "Lengths are fractions of the diagonal of all contours that enclose an area. Exit code 1: something "
+      "was left as it was.",
       "crossloft repair scan.contour -o clean.contour --limit 0.05 --report changes.json",
       [&outcome](const Arguments& arguments) { outcome = run(arguments); });
   command->add_option("FILE", a.input, "cross-sections")->required()->check(is_sections_file());

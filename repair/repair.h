@@ -13,7 +13,9 @@
 
 namespace crossloft {
 
-/// Lengths are fractions of the diagonal of the box around all contours. Each step can be switched off.
+/// Lengths are fractions of the diagonal of the box around all contours that enclose an area. Open ones
+/// count, but where all others together were no more than a tiny loop beside them. Each step can be switched
+/// off.
 struct RepairOptions {
   double limit = 0.1;  ///< nothing moves further; what would have to is left as it is and listed
 
@@ -28,7 +30,7 @@ struct RepairOptions {
 
   bool crossings = true;  ///< contours that cross or overlap: even-odd
 
-  bool loops = true;        ///< tiny loops, runs that are nearly straight
+  bool loops = true;        ///< contours without area, tiny loops, runs that are nearly straight
   double tiny_loop = 1e-6;  ///< loops that a box of this size holds go
   double collinear =
       1e-10;  ///< a vertex that is no further off the line of its neighbours, and not on it, goes
@@ -47,6 +49,7 @@ enum class RepairKind : std::uint8_t {
   repeated_vertices,  ///< vertices of a contour in the place of their neighbour
   spikes,             ///< vertices where a contour turned back on itself
   crossings,          ///< a contour that crossed itself or others, read by even-odd
+  no_area,            ///< a contour on a line or a point, as the reconstruction drops it
   tiny_loop,          ///< a loop too small to be meant
   nearly_straight,    ///< vertices of a contour that bent a straight run by a hair
   agreed,             ///< a section changed next to a common line, so that it agrees with the others there

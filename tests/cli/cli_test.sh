@@ -109,6 +109,10 @@ grep -q '"repair": {' bowtie2.json || fail 'the report does not tell of the repa
 printf "2\n$(section 1)0 0 1 0 4 3\n${square//%s/0}0 1 1 0\n1 2 1 0\n2 3 1 0\n" >open2.contour
 expect 1 'left out' repair open2.contour -o open2_clean.contour
 expect 0 '^contour-closed' repair open2.contour -o open2_clean.contour --close-gap 1 --limit 1
+# One point far away encloses nothing: it says nothing of the size, and the cube stays.
+printf "2\n$(section 1)0 0 1 0 5 5\n${square//%s/0}5e6 5e6 0\n${edges}4 4 1 0\n" >far.contour
+expect 0 '^no-area +1 change' repair far.contour -o near.contour
+expect 0 'volume 1$' reconstruct far.contour -o far.ply --repair
 expect 2 '' repair cube.contour -o clean.contour --limit 2
 expect 2 '' repair cube.contour -o cube.contour
 expect 3 'missing.contour' repair missing.contour -o clean.contour

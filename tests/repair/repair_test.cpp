@@ -348,3 +348,67 @@ TEST_CASE("names of kinds are all different") {
   std::sort(names.begin(), names.end());
   CHECK(std::unique(names.begin(), names.end()) == names.end());
 }
+
+namespace {
+
+/// Two squares of size 1, and a contour through these points in the plane of the first.
+Sections squares_and(const std::vector<Vec3>& points) {
+  Sections sections = two_squares();
+  add_contour(sections.planes[0], points, 1);
+  return sections;
+}
+
+/// Nothing but one contour without area was left out.
+void check_only_flat(const Sections& dirty) {
+  const Repair repair = repaired(dirty);
+  REQUIRE(repair.changes.size() == 1);
+  const RepairChange& told = repair.changes[0];
+  CHECK(told.kind == RepairKind::no_area);
+  CHECK((told.plane == 0 && told.contour == 1 && told.vertex == 4));
+  CHECK(repair.left == 0);
+  CHECK(repair.diagonal == repaired(two_squares()).diagonal);
+  for (std::size_t p = 0; p < 2; ++p)
+    CHECK(repair.sections.planes[p].vertices == two_squares().planes[p].vertices);
+  check_clean(repair);
+}
+
+}  // namespace
+
+TEST_CASE("contours without area go, are told, and do not count for the size") {
+  check_only_flat(squares_and({{5, 5, 0}}));
+  check_only_flat(squares_and({{5e6, 5e6, 0}}));
+  check_only_flat(squares_and({{5e6, 5e6, 0}, {6e6, 5e6, 0}}));
+  check_only_flat(squares_and({{5e6, 5e6, 0}, {6e6, 6e6, 0}, {7e6, 7e6, 0}}));
+}
+
+TEST_CASE("an edge from a vertex to itself is told also where contours without area stay") {
+  RepairOptions options;
+  options.loops = false;
+  const Repair repair = repaired(squares_and({{5e6, 5e6, 0}}), options);
+  REQUIRE(repair.changes.size() == 1);
+  CHECK(repair.changes[0].kind == RepairKind::repeated_vertices);
+  CHECK(repair.changes[0].contour == 1);
+  CHECK(repair.sections.planes[0].edges.size() == 4);
+}
+
+TEST_CASE("an open chain far away does not make good contours tiny") {
+  Sections dirty = squares_and({{5e6, 5e6, 0}, {5e6 + 1, 5e6, 0}, {5e6 + 1, 5e6 + 1, 0}});
+  dirty.planes[0].edges.pop_back();
+  const Repair repair = repaired(dirty);
+  REQUIRE(repair.changes.size() == 1);
+  CHECK(repair.changes[0].kind == RepairKind::contour_left_out);
+  CHECK(repair.left == 1);
+  CHECK(repair.sections.planes[0].vertices == two_squares().planes[0].vertices);
+  check_clean(repair);
+}
+
+TEST_CASE("where all loops are tiny beside their distance none goes") {
+  Sections far_apart = squares_and(square(1e7, 0, 0, 1));
+  RepairOptions options;
+  options.planes = false;  // beside that distance the planes are one
+  const Repair repair = repaired(far_apart, options);
+  CHECK(changes(repair, RepairKind::tiny_loop).size() == 0);
+  CHECK(changes(repair, RepairKind::left_as_it_is).size() == 3);
+  CHECK(repair.left == 3);
+  CHECK(repair.sections.planes[0].edges.size() == 8);
+}
