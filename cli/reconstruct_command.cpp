@@ -105,7 +105,7 @@ ExitCode run(Arguments arguments) {
   if (arguments.repair) print_repair(terminal, repair);
   print_summary(terminal, result->report);
   if (draw) terminal.print("drawings     %zu in %s\n", drawings.size(), arguments.drawings.c_str());
-  return kGood;
+  return exit_code(repair);
 }
 
 /// Of Branching or InCells.
@@ -225,7 +225,10 @@ void add_tolerances(CLI::App& command, Arguments& a) {
                   "diagonal, 0: none; the solid then meets the sections of --dump-sections")
       ->capture_default_str()
       ->check(CLI::Range(0.0, 1.0));
-  command.add_flag("--repair", a.repair, "repair the sections first, as crossloft repair does");
+  command.add_flag(
+      "--repair", a.repair,
+      "repair the sections first, as crossloft repair does; exit code 1: something is left as it was, or "
+      "a contour left out");
   add_repair_limit(command, "--repair-limit", a.repair_options);
 }
 

@@ -35,7 +35,7 @@ ExitCode run(const Arguments& arguments) {
     written = write_file(arguments.report, repair_json(*repair, arguments.options, arguments.input));
   if (!written) return terminal.fail(written.error());
   print_repair(terminal, *repair);
-  return repair->left == 0 ? kGood : kPromiseBroken;
+  return exit_code(*repair);
 }
 
 }  // namespace
@@ -73,8 +73,8 @@ void add_repair(CLI::App& program, ExitCode& outcome) {
   auto [command, a] = add_command<Arguments>(
       program, "repair",
       "Dirty sections in, sections fit for reconstruction out; every change is listed in the report.\n"
-      "Lengths are fractions of the diagonal of all contours that enclose an area. Exit code 1: something "
-      "was left as it was.",
+      "Lengths are fractions of the diagonal of all contours that enclose an area.\n"
+      "Exit code 1: something was left as it was, or a contour left out that encloses an area or is open.",
       "crossloft repair scan.contour -o clean.contour --limit 0.05 --report changes.json",
       [&outcome](const Arguments& arguments) { outcome = run(arguments); });
   command->add_option("FILE", a.input, "cross-sections")->required()->check(is_sections_file());

@@ -114,7 +114,7 @@ void finish(Work& work, const Sections& in) {
   }
   for (const RepairChange& c : r.changes) {
     if (moves_points(c.kind)) r.largest_displacement = std::max(r.largest_displacement, c.distance);
-    r.left += c.kind == RepairKind::left_as_it_is || c.kind == RepairKind::contour_left_out;
+    r.left += is_left(c.kind);
   }
 }
 

@@ -58,6 +58,11 @@ enum class RepairKind : std::uint8_t {
   left_as_it_is,      ///< needs more than the limit, or no way was found: not repaired
 };
 
+/// True of what a repair leaves undone: good data would not have it.
+constexpr bool is_left(RepairKind kind) {
+  return kind == RepairKind::left_as_it_is || kind == RepairKind::contour_left_out;
+}
+
 /// The name of a kind in reports, "offset-sign" and so on.
 const char* name_of(RepairKind kind);
 
@@ -78,7 +83,7 @@ struct Repair {
   double diagonal = 0;                 ///< input units
   double largest_displacement = 0;     ///< input units: of a contour, from where it was to where it is
   std::uint32_t rounds = 0;            ///< of the agreement: in each one all lines were looked at
-  std::uint32_t left = 0;              ///< changes that are left_as_it_is or contour_left_out
+  std::uint32_t left = 0;              ///< changes that is_left() holds for
 };
 
 /// Repairs. What no step has a reason to touch stays as it is to the bit, and repairing the result again

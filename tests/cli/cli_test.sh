@@ -107,12 +107,15 @@ expect 0 '^surface' reconstruct clean.contour -o clean.ply
 expect 0 '^crossings +1 change' reconstruct bowtie2.contour -o bowtie2.ply --repair --report bowtie2.json
 grep -q '"repair": {' bowtie2.json || fail 'the report does not tell of the repair'
 printf "2\n$(section 1)0 0 1 0 4 3\n${square//%s/0}0 1 1 0\n1 2 1 0\n2 3 1 0\n" >open2.contour
-expect 1 'left out' repair open2.contour -o open2_clean.contour
+expect 1 '^crossloft: warning: plane 1, contour 0: contour-left-out: the chain of 3 edges' repair open2.contour -o open2_clean.contour
+expect 1 '^crossloft: warning: plane 1, contour 0: contour-left-out' reconstruct open2.contour -o open2.ply --repair --quiet
+[ -s open2.ply ] || fail 'no surface without the contour that was left out'
 expect 0 '^contour-closed' repair open2.contour -o open2_clean.contour --close-gap 1 --limit 1
 # One point far away encloses nothing: it says nothing of the size, and the cube stays.
 printf "2\n$(section 1)0 0 1 0 5 5\n${square//%s/0}5e6 5e6 0\n${edges}4 4 1 0\n" >far.contour
 expect 0 '^no-area +1 change' repair far.contour -o near.contour
 expect 0 'volume 1$' reconstruct far.contour -o far.ply --repair
+grep -q '^crossloft: warning: plane 1, contour 1: no-area: left out' out.txt || fail 'no word of the point'
 expect 2 '' repair cube.contour -o clean.contour --limit 2
 expect 2 '' repair cube.contour -o cube.contour
 expect 3 'missing.contour' repair missing.contour -o clean.contour
