@@ -43,9 +43,9 @@ enum class RepairKind : std::uint8_t {
   offset_sign,        ///< D of a plane had the wrong sign
   plane_fitted,       ///< normal and D of a plane fitted to its vertices
   onto_plane,         ///< vertices of a contour moved onto their plane
-  planes_united,      ///< the sections of nearly equal planes united
+  planes_united,      ///< the sections of nearly equal planes united, those within others read by even-odd
   contour_closed,     ///< ends of a chain joined
-  contour_left_out,   ///< a chain that does not close
+  contour_left_out,   ///< a chain that does not close, or a contour that vanished as planes were united
   repeated_vertices,  ///< vertices of a contour in the place of their neighbour
   spikes,             ///< vertices where a contour turned back on itself
   crossings,          ///< a contour that crossed itself or others, read by even-odd

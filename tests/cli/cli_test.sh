@@ -111,6 +111,11 @@ expect 1 '^crossloft: warning: plane 1, contour 0: contour-left-out: the chain o
 expect 1 '^crossloft: warning: plane 1, contour 0: contour-left-out' reconstruct open2.contour -o open2.ply --repair --quiet
 [ -s open2.ply ] || fail 'no surface without the contour that was left out'
 expect 0 '^contour-closed' repair open2.contour -o open2_clean.contour --close-gap 1 --limit 1
+# A hole as a record of its own, which reconstruct refuses, is a hole.
+hole() { printf '0 0 1 %s 4 4\\n.2 .2 %s\\n.8 .2 %s\\n.8 .8 %s\\n.2 .8 %s\\n%s' "-$1" "$1" "$1" "$1" "$1" "$edges"; }
+printf "4\n$(section 0)$(hole 0)$(section 1)$(hole 1)" >hole.contour
+expect 3 'overlaps that of plane 0' reconstruct hole.contour -o hole.ply
+expect 0 'volume 0.64$' reconstruct hole.contour -o hole.ply --repair --mode joint
 # One point far away encloses nothing: it says nothing of the size, and the cube stays.
 printf "2\n$(section 1)0 0 1 0 5 5\n${square//%s/0}5e6 5e6 0\n${edges}4 4 1 0\n" >far.contour
 expect 0 '^no-area +1 change' repair far.contour -o near.contour
