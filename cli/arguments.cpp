@@ -53,7 +53,8 @@ Result<Done> check_outputs(const std::vector<std::string>& inputs, const std::ve
   for (std::size_t i = 0; i < outputs.size(); ++i) {
     if (outputs[i].empty()) continue;
     for (const std::string& input : inputs)
-      if (same_file(input, outputs[i])) return at(ErrorCode::usage, "is the input, and would be overwritten", outputs[i]);
+      if (!input.empty() && same_file(input, outputs[i]))
+        return at(ErrorCode::usage, "is the input, and would be overwritten", outputs[i]);
     for (std::size_t j = 0; j < i; ++j)
       if (!outputs[j].empty() && same_file(outputs[j], outputs[i]))
         return at(ErrorCode::usage, "is asked for twice, with different contents", outputs[i]);

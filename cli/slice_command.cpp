@@ -41,7 +41,8 @@ ExitCode run(const Arguments& arguments) {
   release_interrupts();
   Terminal terminal;
   const Context context = terminal.context();
-  if (auto outputs = check_outputs({arguments.mesh}, {arguments.output}); !outputs) return terminal.fail(outputs.error());
+  if (auto outputs = check_outputs({arguments.mesh, arguments.planes}, {arguments.output}); !outputs)
+    return terminal.fail(outputs.error());
   const auto mesh = read_surface(arguments.mesh, context);
   if (!mesh) return terminal.fail(mesh.error());
   const auto planes = chosen_planes(arguments, bounds_of(mesh->points));

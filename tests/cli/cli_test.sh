@@ -151,6 +151,10 @@ expect 0 '2 planes' slice cube.ply -o cut.csl --planes planes.txt
 printf '0 0 1\n' >planes.txt
 expect 3 'planes.txt:1: expected four' slice cube.ply -o cut2.csl --planes planes.txt
 absent cut2.csl
+printf '\xEF\xBB\xBF0 0 1 -0.5\n' >planes.contour
+expect 0 '1 planes' slice cube.ply -o cut.csl --planes planes.contour
+expect 2 'planes.contour: is the input' slice cube.ply -o planes.contour --planes planes.contour
+[ "$(grep -c . planes.contour)" = 1 ] || fail 'the list of planes was overwritten'
 expect 0 '' reconstruct cube.contour -o quiet.ply --quiet
 [ -s out.txt ] && { echo "FAILED: --quiet is not"; cat out.txt; failures=$((failures + 1)); }
 
