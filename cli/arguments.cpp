@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <cctype>
+#include <charconv>
+#include <cstdint>
+#include <cstdio>
 #include <filesystem>
 
 namespace crossloft::cli {
@@ -20,6 +23,34 @@ CLI::Validator extension_in(std::vector<std::string> extensions) {
     return known ? "" : path + ": unknown extension, expected one of " + list;
   };
   return CLI::Validator(check, list);
+}
+
+CLI::Validator number_in(double low, double high) {
+  char range[80];
+  std::snprintf(range, sizeof range, "%g to %g", low, high);
+  const auto check = [low, high, words = std::string(range)](const std::string& text) -> std::string {
+    double value = 0;
+    if (CLI::detail::lexical_cast(text, value) && value >= low && value <= high) return {};
+    return text + " is not a number from " + words;
+  };
+  return CLI::Validator(check, range);
+}
+
+const CLI::Validator& is_whole_number() {
+  static const CLI::Validator validator(
+      [](const std::string& text) -> std::string {
+        std::uint64_t value = 0;
+        const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), value);
+        const bool whole = failure == std::errc() && end == text.data() + text.size();
+        return whole ? "" : text + " is not a whole number from 0 to 18446744073709551615";
+      },
+      "");
+  return validator;
+}
+
+void refuse_options(const CLI::App& command, const std::vector<std::string>& names, const std::string& why) {
+  for (const std::string& name : names)
+    if (command.count(name) != 0) throw CLI::ValidationError(name, why);
 }
 
 namespace {

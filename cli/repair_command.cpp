@@ -40,17 +40,17 @@ ExitCode run(const Arguments& arguments) {
 
 }  // namespace
 
-void add_repair_limit(CLI::App& command, const char* name, RepairOptions& options) {
-  command
+CLI::Option* add_repair_limit(CLI::App& command, const char* name, RepairOptions& options) {
+  return command
       .add_option(name, options.limit,
                   "nothing moves further; what would have to is left and listed; a fraction of the diagonal")
       ->capture_default_str()
-      ->check(CLI::Range(0.0, 1.0));
+      ->check(number_in(0.0, 1.0));
 }
 
 void add_repair_details(CLI::App& command, RepairOptions& o) {
   const auto add_tolerance = [&](const char* name, double& value, const char* help) {
-    command.add_option(name, value, help)->capture_default_str()->check(CLI::Range(0.0, 1.0));
+    command.add_option(name, value, help)->capture_default_str()->check(number_in(0.0, 1.0));
   };
   add_tolerance("--plane-tolerance", o.plane_tolerance,
                 "vertices further from their plane are moved onto it");

@@ -193,8 +193,41 @@ expect 0 '' reconstruct "$examples/link.contour" -o annular.ply --mode joint --r
   --picture-size 64 32 --picture-from 0.6 -0.5 0.4 --picture-of -0.9 0.45 0.3 0.45
 grep -q '"vertex_copies": 1,' annular.json && grep -q '"bad_links": 1$' annular.json || fail 'not one annular link'
 [ "$(od -An -tx1 -j16 -N8 annular.png | tr -d ' ')" = 0000004000000020 ] || fail 'a picture of another size'
-expect 2 'picture-from' reconstruct "$examples/link.contour" -o annular.ply --picture-from 0 0 1
-expect 2 'picture-of' reconstruct "$examples/link.contour" -o annular.ply --picture-of 0 0 1 0
+for from in '0 0 1' '1 0 0' '0 -1 -1'; do
+  expect 0 '' reconstruct cube.contour -o side.ply --picture side.png --picture-size 32 16 --picture-from $from
+done
+expect 2 'picture-from' reconstruct cube.contour -o side.ply --picture side.png --picture-from 0 0 0
+expect 2 'picture-of' reconstruct cube.contour -o side.ply --picture side.png --picture-of 0 0 1 0
+expect 0 'warning: --picture-of: the data are further' reconstruct cube.contour -o side.ply --picture side.png \
+  --picture-size 32 16 --picture-of 9 9 9 1
+
+# Options that would change nothing, or contradict each other
+for option in '--picture-size 64 32' '--picture-from 1 1 1' '--picture-of 0 0 0 1'; do
+  expect 2 'requires --picture' reconstruct cube.contour -o useless.ply $option
+done
+expect 2 'requires --repair' reconstruct cube.contour -o useless.ply --repair-limit 0.1
+expect 2 'excludes --keep-touching' reconstruct cube.contour -o useless.ply --separate 0.1 --keep-touching
+for option in --join-confidence --dome-confidence --alone-confidence --cavity-confidence --smooth-weight; do
+  expect 2 "$option: is for --mode natural" reconstruct cube.contour -o useless.ply --mode paper $option 0.1
+  expect 2 "$option: nan is not a number" reconstruct cube.contour -o useless.ply $option nan
+done
+for option in --divide --look-around; do
+  expect 2 "$option: is for --mode natural" reconstruct cube.contour -o useless.ply --mode joint $option all
+done
+expect 2 'limit: nan is not a number from 0 to 1' repair cube.contour -o useless.contour --limit nan
+expect 2 'direction: is for' slice cube.ply -o useless.contour --random 3 --direction 1 0 0
+expect 2 'seed: is for' slice cube.ply -o useless.contour --parallel 3 --seed 1
+for seed in -1 1.5 18446744073709551616; do
+  expect 2 "seed: $seed is not a whole number" slice cube.ply -o useless.contour --random 3 --seed $seed
+done
+absent useless.ply useless.contour
+expect 0 '1 planes' slice cube.ply -o far.contour --random 1 --seed 18446744073709551615
+for length in 1e-300 1e300; do
+  expect 0 '2 planes' slice cube.ply -o x.contour --parallel 2 --direction $length 0 0
+  expect 0 'directions, 2 with a section' info x.contour
+done
+printf 'OFF\n0 0 0\n' >nothing.off
+expect 3 'nothing.off: the mesh has no triangle' slice nothing.off -o useless.contour --parallel 3
 
 # Delaunay: the same points as text, surfaces and raw doubles
 # value KEY REPORT: what a report says.
