@@ -211,6 +211,45 @@ bool has_no_area(const WallSection& s, Contour contour, double diagonal) {
                      [&](std::uint32_t v) { return safe_norm(cross(unit, s.vertices[v] - a)) <= width; });
 }
 
+/// The contours without area, ascending.
+std::vector<std::uint32_t> flat_contours(const WallSection& s, double diagonal) {
+  std::vector<const WallEdge*> walls;
+  walls.reserve(s.walls.size());
+  for (const WallEdge& w : s.walls) walls.push_back(&w);
+  std::sort(walls.begin(), walls.end(), [](const WallEdge* x, const WallEdge* y) {
+    return x->contour != y->contour ? x->contour < y->contour : x < y;  // of one array: by place
+  });
+  std::vector<std::uint32_t> flat;
+  for (std::size_t i = 0, next = 0; i < walls.size(); i = next) {
+    while (next < walls.size() && walls[next]->contour == walls[i]->contour) ++next;
+    if (has_no_area(s, {walls.data() + i, next - i}, diagonal)) flat.push_back(walls[i]->contour);
+  }
+  return flat;
+}
+
+/// The contours that do not close by themselves, ascending.
+std::vector<std::uint32_t> open_contours(const WallSection& s) {
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> ends;  // contour, vertex
+  for (const WallEdge& w : s.walls) ends.insert(ends.end(), {{w.contour, w.a}, {w.contour, w.b}});
+  std::sort(ends.begin(), ends.end());
+  std::vector<std::uint32_t> open;
+  for (std::size_t i = 0, next = 0; i < ends.size(); i = next) {
+    while (next < ends.size() && ends[next] == ends[i]) ++next;
+    const bool odd = (next - i) % 2 != 0;
+    if (odd && (open.empty() || open.back() != ends[i].first)) open.push_back(ends[i].first);
+  }
+  return open;
+}
+
+/// Of the walls whose contours are not among these, which are in ascending order.
+Bounds extent_without(const std::vector<std::uint32_t>& contours, const WallSection& s) {
+  Bounds extent;
+  for (const WallEdge& w : s.walls)
+    if (!std::binary_search(contours.begin(), contours.end(), w.contour))
+      extent.add(s.vertices[w.a]), extent.add(s.vertices[w.b]);
+  return extent;
+}
+
 void warn_of_dropped(const std::vector<std::uint32_t>& before, const WallSection& s,
                      std::vector<std::string>& warnings) {
   const std::vector<std::uint32_t> after = contours_of(s.walls);
@@ -256,21 +295,32 @@ void note_materials(const Sections& in, std::vector<std::string>& notes) {
 double diagonal_of(const Bounds& box) { return box.empty() ? 0 : safe_norm(box.high - box.low); }
 
 void drop_flat(WallSection& s, double diagonal) {
-  std::vector<const WallEdge*> walls;
-  walls.reserve(s.walls.size());
-  for (const WallEdge& w : s.walls) walls.push_back(&w);
-  std::sort(walls.begin(), walls.end(), [](const WallEdge* x, const WallEdge* y) {
-    return x->contour != y->contour ? x->contour < y->contour : x < y;  // of one array: by place
-  });
-  std::vector<std::uint32_t> flat;  // ascending
-  for (std::size_t i = 0, next = 0; i < walls.size(); i = next) {
-    while (next < walls.size() && walls[next]->contour == walls[i]->contour) ++next;
-    if (has_no_area(s, {walls.data() + i, next - i}, diagonal)) flat.push_back(walls[i]->contour);
-  }
+  const std::vector<std::uint32_t> flat = flat_contours(s, diagonal);
   if (flat.empty()) return;
   std::erase_if(s.walls,
                 [&](const WallEdge& w) { return std::binary_search(flat.begin(), flat.end(), w.contour); });
   drop_isolated(s);
+}
+
+WallExtent wall_extent(const Sections& in) {
+  std::vector<WallSection> sections;
+  for (std::uint32_t i = 0; i < in.planes.size(); ++i) {
+    sections.push_back(collect_walls(in.planes[i], i));
+    cancel_pairs(sections.back().walls);
+    drop_isolated(sections.back());
+  }
+  WallExtent out;
+  const Bounds all = extent_of(sections);
+  const double diagonal = diagonal_of(all);
+  for (std::uint32_t i = 0; i < in.planes.size(); ++i) {
+    const WallSection given = collect_walls(in.planes[i], i);  // pairs are not for single contours to cancel
+    out.flat.push_back(flat_contours(given, diagonal));
+    drop_flat(sections[i], diagonal);
+    out.closed.join(extent_without(open_contours(given), sections[i]));
+  }
+  out.wide = extent_of(sections);
+  if (out.wide.empty()) out.wide = all;
+  return out;
 }
 
 double least_triangle(const WallSection& s) {

@@ -38,6 +38,16 @@ Result<NormalisedSections> normalise(const Sections& sections, double plane_tole
 /// O(v log v).
 Result<std::vector<WallSection>> walls_of(const Sections& sections);
 
+/// How large sections are that need not be fit for frames: their contours may be open.
+struct WallExtent {
+  Bounds wide;    ///< as NormalisedSections::extent: of all walls if no contour has an area
+  Bounds closed;  ///< likewise, of contours that close by themselves alone
+  std::vector<std::vector<std::uint32_t>> flat;  ///< by plane: contours that have no area, ascending
+};
+
+/// REQUIRES: finite numbers, edges between vertices that are there. O(v log v) for v vertices and edges.
+WallExtent wall_extent(const Sections& sections);
+
 /// Of a box, without overflow of the squares; 0 if it is empty.
 double diagonal_of(const Bounds& box);
 

@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <cctype>
+#include <charconv>
+#include <cstdint>
+#include <cstdio>
 #include <filesystem>
 
 namespace crossloft::cli {
@@ -22,15 +25,32 @@ CLI::Validator extension_in(std::vector<std::string> extensions) {
   return CLI::Validator(check, list);
 }
 
-const CLI::Validator& is_not_negative() {
+CLI::Validator number_in(double low, double high) {
+  char range[80];
+  std::snprintf(range, sizeof range, "%g to %g", low, high);
+  const auto check = [low, high, words = std::string(range)](const std::string& text) -> std::string {
+    double value = 0;
+    if (CLI::detail::lexical_cast(text, value) && value >= low && value <= high) return {};
+    return text + " is not a number from " + words;
+  };
+  return CLI::Validator(check, range);
+}
+
+const CLI::Validator& is_whole_number() {
   static const CLI::Validator validator(
       [](const std::string& text) -> std::string {
-        double value = 0;
-        const bool good = CLI::detail::lexical_cast(text, value) && value >= 0;
-        return good ? "" : text + " is not a number from 0 up";
+        std::uint64_t value = 0;
+        const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), value);
+        const bool whole = failure == std::errc() && end == text.data() + text.size();
+        return whole ? "" : text + " is not a whole number from 0 to 18446744073709551615";
       },
-      "NONNEGATIVE");
+      "");
   return validator;
+}
+
+void refuse_options(const CLI::App& command, const std::vector<std::string>& names, const std::string& why) {
+  for (const std::string& name : names)
+    if (command.count(name) != 0) throw CLI::ValidationError(name, why);
 }
 
 namespace {
@@ -64,7 +84,8 @@ Result<Done> check_outputs(const std::vector<std::string>& inputs, const std::ve
   for (std::size_t i = 0; i < outputs.size(); ++i) {
     if (outputs[i].empty()) continue;
     for (const std::string& input : inputs)
-      if (same_file(input, outputs[i])) return at(ErrorCode::usage, "is the input, and would be overwritten", outputs[i]);
+      if (!input.empty() && same_file(input, outputs[i]))
+        return at(ErrorCode::usage, "is the input, and would be overwritten", outputs[i]);
     for (std::size_t j = 0; j < i; ++j)
       if (!outputs[j].empty() && same_file(outputs[j], outputs[i]))
         return at(ErrorCode::usage, "is asked for twice, with different contents", outputs[i]);

@@ -26,8 +26,14 @@ inline const CLI::Validator& is_solid_file() {
   return validator;
 }
 
-/// Accepts numbers from 0 to infinity; "nan" is none.
-const CLI::Validator& is_not_negative();
+/// Accepts numbers from `low` to `high`. Not a number is none, which CLI::Range would let pass.
+CLI::Validator number_in(double low, double high);
+
+/// Accepts whole numbers from 0 to 2^64 - 1, which CLI11 would take modulo 2^64.
+const CLI::Validator& is_whole_number();
+
+/// A usage error if one of the options was given. REQUIRES: the command has them.
+void refuse_options(const CLI::App& command, const std::vector<std::string>& names, const std::string& why);
 
 /// Looks at a command's outputs before its work: each needs a folder that is there and can be written to, and no output may be
 /// an input or another output. Empty paths are skipped.

@@ -1,6 +1,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -143,7 +144,7 @@ ExitCode run(const Arguments& arguments) {
 /// What still is no broken promise.
 void add_limits(CLI::App& command, Arguments& a) {
   const auto add_limit = [&](const char* name, double& value, const char* help) {
-    return command.add_option(name, value, help)->check(is_not_negative());
+    return command.add_option(name, value, help)->check(number_in(0, std::numeric_limits<double>::infinity()));
   };
   add_limit(
       "--max-distance", a.max_distance,

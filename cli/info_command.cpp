@@ -81,7 +81,7 @@ void add_info(CLI::App& program, ExitCode& outcome) {
       ->add_option("--plane-tolerance", a.plane_tolerance,
                    "a vertex further from its plane is an error; a fraction of the diagonal")
       ->capture_default_str()
-      ->check(CLI::Range(0.0, 1.0));
+      ->check(number_in(0.0, 1.0));
 }
 
 }  // namespace crossloft::cli

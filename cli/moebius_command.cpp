@@ -98,7 +98,7 @@ void add_moebius(CLI::App& program, ExitCode& outcome) {
       ->type_name("X0,Y0,X1,Y1");
   command->add_option("--width", a.drawing.width, "of the drawing in pixels")
       ->capture_default_str()
-      ->check(CLI::Range(1.0, 100000.0));
+      ->check(number_in(1.0, 100000.0));
   command->add_flag("--no-sites", a.no_sites, "leave out the dots of the sites");
   command->add_flag("--labels", a.drawing.labels, "the number of each site, counted from 0");
 }

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "../io/atomic_file.h"
+#include "../io/token_reader.h"
 
 namespace crossloft::cli {
 namespace {
@@ -48,7 +49,7 @@ Result<CuttingPlane> plane_of(const std::vector<double>& n, const Error& here) {
 
 Result<std::vector<CuttingPlane>> parse_planes(std::string_view text, const std::string& name) {
   std::vector<CuttingPlane> planes;
-  std::string_view rest = text;
+  std::string_view rest = without_byte_order_mark(text);
   for (std::uint32_t line = 1; !rest.empty(); ++line) {
     const std::size_t end = std::min(rest.size(), rest.find('\n'));
     const auto numbers = numbers_of(rest.substr(0, end));

@@ -10,8 +10,8 @@
 
 namespace crossloft::cli {
 
-/// Blank lines and what follows a '#' are skipped. Errors: file_not_readable, syntax, not_finite,
-/// zero_normal, no_plane, with the line.
+/// Blank lines, a byte order mark and what follows a '#' are skipped. Errors: file_not_readable, syntax,
+/// not_finite, zero_normal, no_plane, with the line.
 Result<std::vector<CuttingPlane>> read_planes(const std::string& path);
 
 /// The same from the text of a file; `name` is the file name used in messages.

@@ -102,10 +102,12 @@ ExitCode run(Arguments arguments) {
   ignore_interrupts();  // from here on the files appear, all of them
   const auto written = write_results(arguments, *result, repair, picture, drawings, context);
   if (!written) return terminal.fail(written.error());
+  if (is_beside(result->sections, result->surface, arguments.view))
+    terminal.say(LogLevel::warning, "--picture-of: the data are further from there than the length given");
   if (arguments.repair) print_repair(terminal, repair);
   print_summary(terminal, result->report);
   if (draw) terminal.print("drawings     %zu in %s\n", drawings.size(), arguments.drawings.c_str());
-  return kGood;
+  return exit_code(repair);
 }
 
 /// Of Branching or InCells.
@@ -124,7 +126,7 @@ void add_where(CLI::App& command, const char* name, Where& where, const char* he
 
 void add_natural_options(CLI::App& command, NaturalOptions& natural) {
   const auto add_confidence = [&](const char* name, double& value, const char* help) {
-    command.add_option(name, value, help)->capture_default_str()->check(CLI::Range(-1.0, 1.0));
+    command.add_option(name, value, help)->capture_default_str()->check(number_in(-1.0, 1.0));
   };
   add_confidence("--join-confidence", natural.join_confidence,
                  "natural: sections are joined where the best way between them is this sure, -1 to 1");
@@ -139,7 +141,7 @@ void add_natural_options(CLI::App& command, NaturalOptions& natural) {
       .add_option("--smooth-weight", natural.smooth_weight,
                   "natural: weight of a small surface against a likely volume")
       ->capture_default_str()
-      ->check(CLI::Range(0.0, kLargestSmoothWeight));
+      ->check(number_in(0.0, kLargestSmoothWeight));
   add_where(
       command, "--divide", natural.divide,
       "natural: points inside cells, where sections can't be joined or much is lost without: auto where "
@@ -149,6 +151,11 @@ void add_natural_options(CLI::App& command, NaturalOptions& natural) {
             "auto where planes meet in the cell");
 }
 
+/// What no other mode reads.
+const std::vector<std::string> kNaturalOptions{
+    "--join-confidence", "--dome-confidence", "--alone-confidence", "--cavity-confidence",
+    "--smooth-weight",   "--divide",          "--look-around"};
+
 /// What is done so that the solid has all of its sections and touches itself nowhere.
 void add_embedding(CLI::App& command, Options& options) {
   command
@@ -157,19 +164,19 @@ void add_embedding(CLI::App& command, Options& options) {
           "give section regions that nothing faces a plate of solid no thicker than this; a fraction of "
           "the diagonal, 0: they are left out")
       ->capture_default_str()
-      ->check(CLI::Range(0.0, 1.0));
+      ->check(number_in(0.0, 1.0));
+  CLI::Option* separate = command.add_option(
+      "--separate", options.separation,
+      "where the surface touches itself, move its vertices apart by up to this, even if sections move "
+      "with them; a fraction of the diagonal, 0: only where no section changes");
+  separate->capture_default_str()->check(number_in(0.0, 1.0));
   command
-      .add_option(
-          "--separate", options.separation,
-          "where the surface touches itself, move its vertices apart by up to this, even if sections move "
-          "with them; a fraction of the diagonal, 0: only where no section changes")
-      ->capture_default_str()
-      ->check(CLI::Range(0.0, 1.0));
-  command.add_flag("!--keep-touching", options.separate,
-                   "leave vertices that the surface has twice where it touches itself in one place");
+      .add_flag("!--keep-touching", options.separate,
+                "leave vertices that the surface has twice where it touches itself in one place")
+      ->excludes(separate);
 }
 
-void add_view(CLI::App& command, PictureOptions& view) {
+void add_view(CLI::App& command, PictureOptions& view, CLI::Option* picture) {
   command
       .add_option_function<std::vector<int>>(
           "--picture-size",
@@ -179,6 +186,7 @@ void add_view(CLI::App& command, PictureOptions& view) {
           },
           "of the picture in pixels (default 1200 675)")
       ->expected(2)
+      ->needs(picture)
       ->type_name("WIDTH HEIGHT")
       ->check(CLI::Range(16, 8192));
   command
@@ -186,11 +194,12 @@ void add_view(CLI::App& command, PictureOptions& view) {
           "--picture-from",
           [&view](const std::vector<double>& from) {
             view.from = {from[0], from[1], from[2]};
-            if (!is_finite(view.from) || !(view.from.z > 0) || (view.from.x == 0 && view.from.y == 0))
-              throw CLI::ValidationError("--picture-from", "must look down on it, but not along z");
+            if (!is_finite(view.from) || view.from == Vec3{})
+              throw CLI::ValidationError("--picture-from", "needs a direction that is finite and not 0");
           },
-          "direction towards the viewer (default 0.42 -0.9 0.36)")
+          "direction towards the viewer, z is up; along z y is (default 0.42 -0.9 0.36)")
       ->expected(3)
+      ->needs(picture)
       ->type_name("X Y Z");
   command
       .add_option_function<std::vector<double>>(
@@ -203,6 +212,7 @@ void add_view(CLI::App& command, PictureOptions& view) {
           },
           "only what is this near to a point (default: all)")
       ->expected(4)
+      ->needs(picture)
       ->type_name("X Y Z LENGTH");
 }
 
@@ -213,20 +223,23 @@ void add_tolerances(CLI::App& command, Arguments& a) {
           "--match-tolerance", a.options.match_tolerance,
           "crossings of two sections on their common line this near are one; a fraction of the diagonal")
       ->capture_default_str()
-      ->check(CLI::Range(0.0, 1.0));
+      ->check(number_in(0.0, 1.0));
   command
       .add_option("--plane-tolerance", a.options.plane_tolerance,
                   "a vertex further from its plane is an error; a fraction of the diagonal")
       ->capture_default_str()
-      ->check(CLI::Range(0.0, 0.1));
+      ->check(number_in(0.0, 0.1));
   command
       .add_option("--simplify", a.options.simplify,
                   "leave out contour vertices that a straight edge replaces this closely; a fraction of the "
                   "diagonal, 0: none; the solid then meets the sections of --dump-sections")
       ->capture_default_str()
-      ->check(CLI::Range(0.0, 1.0));
-  command.add_flag("--repair", a.repair, "repair the sections first, as crossloft repair does");
-  add_repair_limit(command, "--repair-limit", a.repair_options);
+      ->check(number_in(0.0, 1.0));
+  CLI::Option* repair = command.add_flag(
+      "--repair", a.repair,
+      "repair the sections first, as crossloft repair does; exit code 1: something is left as it was, or "
+      "a contour left out");
+  add_repair_limit(command, "--repair-limit", a.repair_options)->needs(repair);
 }
 
 /// After all options that want the whole at once.
@@ -261,6 +274,10 @@ void add_reconstruct(CLI::App& program, ExitCode& outcome) {
                    "paper is as Boissonnat and Memari")
       ->capture_default_str()
       ->check(CLI::IsMember(mode_names()));
+  command->parse_complete_callback([command = command, &mode = a.mode] {
+    if (mode_named(mode) != PruneMode::natural)
+      refuse_options(*command, kNaturalOptions, "is for --mode natural alone");
+  });
   add_natural_options(*command, a.options.natural);
   add_where(*command, "--branching", a.options.branching.mode,
             "samples where a section branches: auto where it faces several others, all of the branching "
@@ -269,9 +286,9 @@ void add_reconstruct(CLI::App& program, ExitCode& outcome) {
   add_tolerances(*command, a);
   add_embedding(*command, a.options);
   command->add_option("--report", a.report, "also a report (docs/report.md)")->check(extension_in({".json"}));
-  command->add_option("--picture", a.picture, "also a picture of sections and surface")
-      ->check(extension_in({".png"}));
-  add_view(*command, a.view);
+  CLI::Option* picture = command->add_option("--picture", a.picture, "also a picture of sections and surface")
+                             ->check(extension_in({".png"}));
+  add_view(*command, a.view, picture);
   command->add_option("--dump-sections", a.sections, "also the sections as the solid meets them")
       ->check(is_sections_file());
   command

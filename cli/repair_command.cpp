@@ -35,22 +35,22 @@ ExitCode run(const Arguments& arguments) {
     written = write_file(arguments.report, repair_json(*repair, arguments.options, arguments.input));
   if (!written) return terminal.fail(written.error());
   print_repair(terminal, *repair);
-  return repair->left == 0 ? kGood : kPromiseBroken;
+  return exit_code(*repair);
 }
 
 }  // namespace
 
-void add_repair_limit(CLI::App& command, const char* name, RepairOptions& options) {
-  command
+CLI::Option* add_repair_limit(CLI::App& command, const char* name, RepairOptions& options) {
+  return command
       .add_option(name, options.limit,
                   "nothing moves further; what would have to is left and listed; a fraction of the diagonal")
       ->capture_default_str()
-      ->check(CLI::Range(0.0, 1.0));
+      ->check(number_in(0.0, 1.0));
 }
 
 void add_repair_details(CLI::App& command, RepairOptions& o) {
   const auto add_tolerance = [&](const char* name, double& value, const char* help) {
-    command.add_option(name, value, help)->capture_default_str()->check(CLI::Range(0.0, 1.0));
+    command.add_option(name, value, help)->capture_default_str()->check(number_in(0.0, 1.0));
   };
   add_tolerance("--plane-tolerance", o.plane_tolerance,
                 "vertices further from their plane are moved onto it");
@@ -64,7 +64,8 @@ void add_repair_details(CLI::App& command, RepairOptions& o) {
   command.add_flag("!--no-planes", o.planes, "leave planes, and vertices beside them");
   command.add_flag("!--no-chains", o.chains, "leave open contours, repeated vertices and spikes");
   command.add_flag("!--no-crossings", o.crossings, "leave contours that cross or overlap");
-  command.add_flag("!--no-loops", o.loops, "leave tiny loops and nearly straight runs");
+  command.add_flag("!--no-loops", o.loops,
+                   "leave contours without area, tiny loops and nearly straight runs");
   command.add_flag("!--no-agreement", o.agreement, "leave sections that disagree on common lines");
 }
 
@@ -72,7 +73,8 @@ void add_repair(CLI::App& program, ExitCode& outcome) {
   auto [command, a] = add_command<Arguments>(
       program, "repair",
       "Dirty sections in, sections fit for reconstruction out; every change is listed in the report.\n"
-      "Lengths are fractions of the diagonal of all contours. Exit code 1: something was left as it was.",
+      "Lengths are fractions of the diagonal of all contours that enclose an area.\n"
+      "Exit code 1: something was left as it was, or a contour left out that encloses an area or is open.",
       "crossloft repair scan.contour -o clean.contour --limit 0.05 --report changes.json",
       [&outcome](const Arguments& arguments) { outcome = run(arguments); });
   command->add_option("FILE", a.input, "cross-sections")->required()->check(is_sections_file());

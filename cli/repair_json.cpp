@@ -59,6 +59,31 @@ std::string repair_json(const Repair& repair, const RepairOptions& options, cons
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
+namespace {
+
+/// As many defects are named one by one; some data have thousands.
+constexpr std::size_t kMostNamed = 20;
+
+/// "plane 0, contour 1: contour-left-out: the chain does not close"
+std::string warning_of(const RepairChange& c) {
+  std::string where;
+  if (c.plane != kNone) where = "plane " + std::to_string(c.plane);
+  if (c.contour != kNone) where += ", contour " + std::to_string(c.contour);
+  return (where.empty() ? "" : where + ": ") + name_of(c.kind) + ": " + c.text;
+}
+
+/// What is still wrong or was left out, contours without area too: one warning each.
+void warn_of_left(Terminal& terminal, const Repair& repair) {
+  std::size_t count = 0;
+  for (const RepairChange& c : repair.changes)
+    if ((is_left(c.kind) || c.kind == RepairKind::no_area) && ++count <= kMostNamed)
+      terminal.say(LogLevel::warning, warning_of(c));
+  if (count > kMostNamed)
+    terminal.say(LogLevel::warning, std::to_string(count - kMostNamed) + " more: see --report");
+}
+
+}  // namespace
+
 void print_repair(Terminal& terminal, const Repair& repair) {
   struct Tally {
     std::size_t changes = 0;
@@ -72,12 +97,13 @@ void print_repair(Terminal& terminal, const Repair& repair) {
   }
   for (const auto& [kind, t] : tallies)
     terminal.print("%-18s %zu changes, up to %.3g\n", name_of(kind), t.changes, t.distance);
+  warn_of_left(terminal, repair);
   if (repair.left != 0)
-    terminal.say(LogLevel::warning, std::to_string(repair.left) +
-                                        (repair.left == 1 ? " defect was" : " defects were") +
-                                        " left as found or left out: see the report of the repair");
+    terminal.print("left               %u: as it was found, or a contour left out\n", repair.left);
   terminal.print("displacement       %.3g (%.3g of the diagonal)\n", repair.largest_displacement,
                  repair.diagonal > 0 ? repair.largest_displacement / repair.diagonal : 0);
 }
+
+ExitCode exit_code(const Repair& repair) { return repair.left == 0 ? kGood : kPromiseBroken; }
 
 }  // namespace crossloft::cli

@@ -7,7 +7,7 @@
 namespace crossloft::cli {
 
 /// The largest displacement, under a name of the command's choice.
-void add_repair_limit(CLI::App& command, const char* name, RepairOptions& options);
+CLI::Option* add_repair_limit(CLI::App& command, const char* name, RepairOptions& options);
 
 /// Everything else: tolerances and switches of the steps.
 void add_repair_details(CLI::App& command, RepairOptions& options);

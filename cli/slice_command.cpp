@@ -41,7 +41,8 @@ ExitCode run(const Arguments& arguments) {
   release_interrupts();
   Terminal terminal;
   const Context context = terminal.context();
-  if (auto outputs = check_outputs({arguments.mesh}, {arguments.output}); !outputs) return terminal.fail(outputs.error());
+  if (auto outputs = check_outputs({arguments.mesh, arguments.planes}, {arguments.output}); !outputs)
+    return terminal.fail(outputs.error());
   const auto mesh = read_surface(arguments.mesh, context);
   if (!mesh) return terminal.fail(mesh.error());
   const auto planes = chosen_planes(arguments, bounds_of(mesh->points));
@@ -75,11 +76,20 @@ void add_slice(CLI::App& program, ExitCode& outcome) {
   planes->add_option("--fan", a.fan, "K planes of a jittered sweep along x")->check(count);
   planes->add_option("--planes", a.planes, "a file with A B C D a line for A x + B y + C z + D = 0");
   planes->require_option(1);
-  command->add_option("--seed", a.seed, "of the random planes and the sweep")->capture_default_str();
-  command->add_option("--direction", a.direction, "normal of the parallel planes or axis of rotation")
+  command->add_option("--seed", a.seed, "of --random and --fan")
+      ->capture_default_str()
+      ->check(is_whole_number())
+      ->type_name("UINT");
+  command->add_option("--direction", a.direction, "normal of --parallel or axis of --rotational")
       ->capture_default_str()
       ->expected(3)
       ->type_name("X Y Z");
+  command->parse_complete_callback([command = command] {
+    if (command->count("--parallel") + command->count("--rotational") == 0)
+      refuse_options(*command, {"--direction"}, "is for --parallel and --rotational alone");
+    if (command->count("--random") + command->count("--fan") == 0)
+      refuse_options(*command, {"--seed"}, "is for --random and --fan alone");
+  });
 }
 
 }  // namespace crossloft::cli

@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "../geom/unit_size.h"
 #include "circle.h"
 #include "random.h"
 #include "slice.h"
@@ -8,6 +9,12 @@ namespace crossloft {
 namespace {
 
 CuttingPlane plane_through(const Vec3& point, const Vec3& normal) { return {normal, -dot(normal, point)}; }
+
+/// REQUIRES: finite, not 0; of any length.
+Vec3 unit(const Vec3& direction) {
+  const Vec3 d = to_unit_size(direction);
+  return (1 / norm(d)) * d;
+}
 
 /// Half the extent of the box along a direction.
 double half_extent(const Bounds& box, const Vec3& direction) {
@@ -30,9 +37,8 @@ double middle(std::uint32_t i, std::uint32_t k) { return (2.0 * i + 1) / k - 1; 
 
 std::vector<CuttingPlane> parallel_planes(const Bounds& box, std::uint32_t k, Vec3 direction) {
   std::vector<CuttingPlane> planes;
-  const double length = norm(direction);
-  if (box.empty() || !(length > 0)) return planes;
-  const Vec3 n = (1 / length) * direction;
+  if (box.empty() || direction == Vec3{}) return planes;
+  const Vec3 n = unit(direction);
   for (std::uint32_t i = 0; i < k; ++i)
     planes.push_back(plane_through(box.center() + middle(i, k) * half_extent(box, n) * n, n));
   return planes;
@@ -52,9 +58,8 @@ std::vector<CuttingPlane> random_planes(const Bounds& box, std::uint32_t k, std:
 
 std::vector<CuttingPlane> rotational_planes(const Bounds& box, std::uint32_t k, Vec3 axis) {
   std::vector<CuttingPlane> planes;
-  const double length = norm(axis);
-  if (box.empty() || !(length > 0)) return planes;
-  const Vec3 w = (1 / length) * axis, u = any_orthogonal(w), v = cross(w, u);
+  if (box.empty() || axis == Vec3{}) return planes;
+  const Vec3 w = unit(axis), u = any_orthogonal(w), v = cross(w, u);
   for (std::uint32_t i = 0; i < k; ++i) {
     const SineCosine angle = circle(0.5 * i / k);
     planes.push_back(plane_through(box.center(), angle.cosine * u + angle.sine * v));

@@ -81,6 +81,7 @@ class Slicer {
 
  private:
   Result<Done> validate() const {
+    if (mesh_.triangles.empty()) return error(ErrorCode::not_closed, "the mesh has no triangle to be cut");
     if (given_.empty()) return error(ErrorCode::no_plane, "no cutting plane given");
     for (const Vec3& p : mesh_.points)
       if (!is_finite(p)) return error(ErrorCode::not_finite, "a point of the mesh is not finite");

@@ -36,11 +36,12 @@ Result<Sections> slice(const Surface& closed_mesh, std::span<const CuttingPlane>
 
 // Sets of planes for a box; the same on every platform. Empty for k = 0 or an empty box.
 
-/// k planes orthogonal to `direction`, at the middles of k equal parts of the box's extent along it.
+/// k planes orthogonal to `direction` (of any length but 0), at the middles of k equal parts of the box's
+/// extent along it.
 std::vector<CuttingPlane> parallel_planes(const Bounds& box, std::uint32_t k, Vec3 direction = {0, 0, 1});
 /// Directions uniform on the sphere, distances from the centre uniform within 0.6 of half the diagonal.
 std::vector<CuttingPlane> random_planes(const Bounds& box, std::uint32_t k, std::uint64_t seed);
-/// k planes at equal angles through the line along `axis` (not zero) through the centre.
+/// k planes at equal angles through the line along `axis` (of any length but 0) through the centre.
 std::vector<CuttingPlane> rotational_planes(const Bounds& box, std::uint32_t k, Vec3 axis = {0, 0, 1});
 /// As an ultrasound sweep: from planes over the low end of x to its high end, tilted up to 25 degrees towards
 /// both ends, with directions and places jittered by a fifth of the step.

@@ -68,10 +68,14 @@ bool parse_real(std::string_view token, double& value) {
   return true;
 }
 
+std::string_view without_byte_order_mark(std::string_view text) {
+  return text.starts_with("\xEF\xBB\xBF") ? text.substr(3) : text;
+}
+
 TokenReader::TokenReader(std::string_view text, std::string file, char comment)
     : text_(text), comment_(comment) {
   error_.file = std::move(file);
-  if (text_.starts_with("\xEF\xBB\xBF")) at_ = 3;
+  at_ = text.size() - without_byte_order_mark(text).size();
 }
 
 void TokenReader::fail(ErrorCode code, std::string message) {

@@ -15,6 +15,9 @@
 
 namespace crossloft {
 
+/// Some editors begin a UTF-8 text with one.
+std::string_view without_byte_order_mark(std::string_view text);
+
 class TokenReader {
  public:
   /// `comment` starts a comment that goes to the end of the line; 0 means the format has none. The text must

@@ -82,7 +82,7 @@ void merge_repeated(Work& work, WorkPlane& plane) {
   std::map<std::uint32_t, Tally> tallies;
   for (const ContourEdge& e : p.edges) {
     const double length = norm(p.vertices[e.a] - p.vertices[e.b]);
-    if (length > tolerance || parts.find(e.a) == parts.find(e.b)) continue;
+    if (length > tolerance || (e.a != e.b && parts.find(e.a) == parts.find(e.b))) continue;
     parts.join(e.a, e.b);
     tallies[e.contour].add(e.b, length);
   }

@@ -22,9 +22,8 @@ struct Loop {
   std::uint32_t contour = kNone, vertex = kNone, edges = 0;
 };
 
-void drop_tiny_loops(Work& work, WorkPlane& plane) {
-  PlaneSection& p = plane.section;
-  DisjointSets parts(p.vertices.size());
+/// The loops of a section by the part of `parts` that each is.
+std::map<std::uint32_t, Loop> loops_of(const PlaneSection& p, DisjointSets& parts) {
   for (const ContourEdge& e : p.edges) parts.join(e.a, e.b);
   std::map<std::uint32_t, Loop> loops;
   for (const ContourEdge& e : p.edges) {
@@ -34,13 +33,41 @@ void drop_tiny_loops(Work& work, WorkPlane& plane) {
     l.vertex = std::min({l.vertex, e.a, e.b});
     ++l.edges;
   }
-  const double size = work.options.tiny_loop * work.diagonal;
-  std::erase_if(loops, [&](const auto& entry) { return entry.second.box.diagonal() > size; });
-  for (const auto& [part, l] : loops)
-    work.note({RepairKind::tiny_loop, plane.source, l.contour, l.vertex, l.edges, l.box.diagonal(),
-               p.vertices[l.vertex], "a loop of " + count_of(l.edges, "edge", "edges") + " was left out"});
+  return loops;
+}
+
+bool is_tiny(const Work& work, const Loop& loop) {
+  return loop.box.diagonal() <= work.options.tiny_loop * work.diagonal;
+}
+
+/// True iff the section has a loop that means something.
+bool has_large_loop(const Work& work, const WorkPlane& plane) {
+  DisjointSets parts(plane.section.vertices.size());
+  const auto loops = loops_of(plane.section, parts);
+  return std::any_of(loops.begin(), loops.end(),
+                     [&](const auto& entry) { return !is_tiny(work, entry.second); });
+}
+
+/// What is done to a loop that is tiny, or is not done.
+void tell_tiny(Work& work, const WorkPlane& plane, const Loop& l, RepairKind kind, const char* what) {
+  work.note({kind, plane.source, l.contour, l.vertex, l.edges, l.box.diagonal(),
+             plane.section.vertices[l.vertex], "a loop of " + count_of(l.edges, "edge", "edges") + what});
+}
+
+void drop_tiny_loops(Work& work, WorkPlane& plane) {
+  PlaneSection& p = plane.section;
+  DisjointSets parts(p.vertices.size());
+  auto loops = loops_of(p, parts);
+  std::erase_if(loops, [&](const auto& entry) { return !is_tiny(work, entry.second); });
+  for (const auto& [part, l] : loops) tell_tiny(work, plane, l, RepairKind::tiny_loop, " was left out");
   std::erase_if(p.edges, [&](const ContourEdge& e) { return loops.contains(parts.find(e.a)); });
   plane.edited |= !loops.empty();
+}
+
+void tell_all_tiny(Work& work, const WorkPlane& plane) {
+  DisjointSets parts(plane.section.vertices.size());
+  for (const auto& [part, l] : loops_of(plane.section, parts))
+    tell_tiny(work, plane, l, RepairKind::left_as_it_is, " is tiny beside the distances, as are all others");
 }
 
 /// How far b is off the segment ac; infinite if it is not between its ends.
@@ -105,7 +132,23 @@ void straighten(Work& work, WorkPlane& plane) {
   }
 }
 
+void drop_flat(Work& work, WorkPlane& plane, std::uint32_t contour) {
+  PlaneSection& p = plane.section;
+  std::uint32_t vertex = kNone;
+  for (const ContourEdge& e : p.edges)
+    if (e.contour == contour) vertex = std::min({vertex, e.a, e.b});
+  const std::size_t edges = std::erase_if(p.edges, [&](const auto& e) { return e.contour == contour; });
+  work.note({RepairKind::no_area, plane.source, contour, vertex, static_cast<std::uint32_t>(edges), 0,
+             p.vertices[vertex], "left out, it encloses no area"});
+  plane.edited = true;
+}
+
 }  // namespace
+
+void drop_flat_contours(Work& work, const std::vector<std::vector<std::uint32_t>>& flat) {
+  for (std::size_t p = 0; p < flat.size(); ++p)
+    for (const std::uint32_t contour : flat[p]) drop_flat(work, work.planes[p], contour);
+}
 
 void repair_crossings(Work& work) {
   for (WorkPlane& plane : work.planes) {
@@ -123,8 +166,13 @@ void repair_crossings(Work& work) {
 }
 
 void repair_loops(Work& work) {
-  for (WorkPlane& plane : work.planes)
-    if (!work.context.cancelled()) drop_tiny_loops(work, plane);
+  // Far from each other all may be tiny. Then it is not their size that is wrong.
+  const bool some = std::any_of(work.planes.begin(), work.planes.end(),
+                                [&](const WorkPlane& plane) { return has_large_loop(work, plane); });
+  for (WorkPlane& plane : work.planes) {
+    if (work.context.cancelled()) return;
+    some ? drop_tiny_loops(work, plane) : tell_all_tiny(work, plane);
+  }
 }
 
 void straighten_runs(Work& work) {

@@ -58,19 +58,13 @@ class Sides {
     const PlanarPoint p = at(link.a), q = at(link.b);
     const PlanarPoint middle{p.x + q.x, p.y + q.y};  // doubled
     for (const Link& other : links_)
-      if (&other != &link && above(at(other.a), at(other.b), middle)) flip(other);
+      if (&other != &link && is_above(at(other.a), at(other.b), middle)) flip(other);
     const bool one_side = inside();
     flip(link);
     return inside() != one_side;
   }
 
  private:
-  /// True iff the ray upwards from the doubled point meets the link, its lower end in x included.
-  static bool above(PlanarPoint a, PlanarPoint b, PlanarPoint middle) {
-    if (a.x > b.x) std::swap(a, b);
-    if (!(2 * a.x <= middle.x && middle.x < 2 * b.x)) return false;
-    return turn({2 * a.x, 2 * a.y}, {2 * b.x, 2 * b.y}, middle) < 0;
-  }
   void flip(const Link& link) {
     for (const std::uint32_t layer : link.layers) odd_[layer] ^= 1;
   }

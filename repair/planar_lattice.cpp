@@ -68,6 +68,12 @@ bool cross(PlanarPoint a, PlanarPoint b, PlanarPoint c, PlanarPoint d) {
   return sign(turn(a, b, c)) * sign(turn(a, b, d)) < 0 && sign(turn(c, d, a)) * sign(turn(c, d, b)) < 0;
 }
 
+bool is_above(PlanarPoint a, PlanarPoint b, PlanarPoint doubled) {
+  if (a.x > b.x) std::swap(a, b);
+  if (!(2 * a.x <= doubled.x && doubled.x < 2 * b.x)) return false;
+  return turn({2 * a.x, 2 * a.y}, {2 * b.x, 2 * b.y}, doubled) < 0;
+}
+
 bool passes(PlanarPoint a, PlanarPoint b, PlanarPoint h) {
   // In half steps the corners are integers. The sides that do not belong to the square are moved in by an
   // infinitesimal.

@@ -49,6 +49,10 @@ bool cross(PlanarPoint a, PlanarPoint b, PlanarPoint c, PlanarPoint d);
 /// others: the points that are rounded to h.
 bool passes(PlanarPoint a, PlanarPoint b, PlanarPoint h);
 
+/// True iff the ray upwards from a point in doubled coordinates meets the segment ab, its lower end in x
+/// included: an odd number of the walls of a section does if the point is inside.
+bool is_above(PlanarPoint a, PlanarPoint b, PlanarPoint doubled);
+
 /// The grid point nearest to the crossing of ab and cd, exactly rounded, half way upwards.
 /// REQUIRES: cross(a, b, c, d).
 PlanarPoint crossing_point(PlanarPoint a, PlanarPoint b, PlanarPoint c, PlanarPoint d);

@@ -6,6 +6,7 @@
 #include <map>
 #include <tuple>
 
+#include "plane_records.h"
 #include "repair_steps.h"
 #include "section_edit.h"
 
@@ -181,41 +182,102 @@ void repair_planes(Work& work) {
   }
 }
 
+namespace {
+
+/// A plane that is one with another.
+struct Twin {
+  WorkPlane* plane = nullptr;
+  double apart = 0;  ///< over the data
+};
+
+/// By position and not by the order of the file: which of equal planes stays must not depend on that.
+std::vector<WorkPlane*> in_canonical_order(Work& work) {
+  std::vector<WorkPlane*> order;
+  for (WorkPlane& plane : work.planes) order.push_back(&plane);
+  const auto key = [](const WorkPlane* w) {
+    return std::tuple(w->section.edges.empty(), w->normal, w->offset, used_vertices(w->section));
+  };
+  std::sort(order.begin(), order.end(), [&](auto* a, auto* b) { return key(a) < key(b); });
+  return order;
+}
+
+void append(PlaneSection& to, const PlaneSection& from) {
+  const auto shift = static_cast<std::uint32_t>(to.vertices.size());
+  to.vertices.insert(to.vertices.end(), from.vertices.begin(), from.vertices.end());
+  for (ContourEdge e : from.edges) {
+    e.a += shift, e.b += shift;
+    to.edges.push_back(e);
+  }
+}
+
+void tell_united(Work& work, const WorkPlane& first, const Twin& twin, bool even_odd) {
+  const std::string text =
+      "the plane is plane " + std::to_string(first.source) + ": " +
+      (even_odd ? "their contours were read together, by even-odd" : "their sections were united");
+  work.note({RepairKind::planes_united, twin.plane->source, kNone, kNone, 1, twin.apart, {}, text});
+}
+
+void tell_covered(Work& work, const std::vector<WorkPlane*>& planes, const CoveredContour& c) {
+  const WorkPlane& plane = *planes[c.section];
+  work.note({RepairKind::contour_left_out, plane.source, c.contour, c.vertex, c.edges, 0,
+             plane.section.vertices[c.vertex],
+             "it lies within the section of plane " + std::to_string(planes[c.by]->source) +
+                 ", which is the same plane, and was left out"});
+}
+
+/// The sections of each group become that of its first plane.
+bool unite_groups(Work& work, const std::vector<WorkPlane*>& planes, const PlaneRecords& records) {
+  bool changed = false;
+  for (std::uint32_t g = 0; g < planes.size(); ++g) {
+    std::vector<const PlaneSection*> others;
+    for (std::uint32_t s = g + 1; s < planes.size(); ++s)
+      if (records.group[s] == g) others.push_back(&planes[s]->section);
+    if (!others.empty())
+      changed |= edit_section(planes[g]->section, work.chart(*planes[0]), {}, others, work.context).changed;
+  }
+  return changed;
+}
+
+/// The first plane gets the sections of its twins.
+void unite(Work& work, WorkPlane& first, const std::vector<Twin>& twins) {
+  std::vector<WorkPlane*> planes{&first};
+  for (const Twin& twin : twins) {
+    planes.push_back(twin.plane);
+    for (Vec3& v : twin.plane->section.vertices) v = v - (dot(first.normal, v) + first.offset) * first.normal;
+  }
+  std::vector<const PlaneSection*> sections;
+  for (const WorkPlane* plane : planes) sections.push_back(&plane->section);
+  const PlaneRecords records = compare_records(sections, work.chart(first), work.context);
+  for (std::size_t t = 0; t < twins.size(); ++t)
+    tell_united(work, first, twins[t], records.group[t + 1] != 0 && !sections[t + 1]->edges.empty());
+  for (const CoveredContour& c : records.covered) tell_covered(work, planes, c);
+  first.edited |= unite_groups(work, planes, records);
+  for (std::uint32_t s = 1; s < planes.size(); ++s)
+    if (records.group[s] == s && !sections[s]->edges.empty()) {
+      append(first.section, *sections[s]);
+      first.edited = true;
+    }
+}
+
+}  // namespace
+
 void unite_planes(Work& work) {
   const double tolerance = work.options.same_plane * work.diagonal;
-  // By position and not by the order of the file: which of the planes stays must not depend on that.
-  std::vector<std::uint32_t> order;
-  for (std::uint32_t p = 0; p < work.planes.size(); ++p) order.push_back(p);
-  const auto key = [&](std::uint32_t p) {
-    const WorkPlane& w = work.planes[p];
-    return std::tuple(w.section.edges.empty(), w.normal, w.offset, used_vertices(w.section));
-  };
-  std::sort(order.begin(), order.end(), [&](auto a, auto b) { return key(a) < key(b); });
+  const std::vector<WorkPlane*> order = in_canonical_order(work);
   std::vector<bool> gone(work.planes.size(), false);
+  const auto number = [&](const WorkPlane* plane) {
+    return static_cast<std::size_t>(plane - work.planes.data());
+  };
   for (std::size_t i = 0; i < order.size(); ++i) {
-    if (gone[order[i]] || work.context.cancelled()) continue;
-    WorkPlane& first = work.planes[order[i]];
-    std::vector<PlaneSection> others;
+    if (gone[number(order[i])] || work.context.cancelled()) continue;
+    std::vector<Twin> twins;
     for (std::size_t j = i + 1; j < order.size(); ++j) {
-      WorkPlane& other = work.planes[order[j]];
-      const double apart = distance_over_data(work, first, other);
-      if (gone[order[j]] || apart > tolerance) continue;
-      gone[order[j]] = true;
-      for (Vec3& v : other.section.vertices) v = v - (dot(first.normal, v) + first.offset) * first.normal;
-      work.note({RepairKind::planes_united,
-                 other.source,
-                 kNone,
-                 kNone,
-                 1,
-                 apart,
-                 {},
-                 "the plane is plane " + std::to_string(first.source) + ": their sections were united"});
-      others.push_back(std::move(other.section));
+      const double apart = distance_over_data(work, *order[i], *order[j]);
+      if (gone[number(order[j])] || apart > tolerance) continue;
+      gone[number(order[j])] = true;
+      twins.push_back({order[j], apart});
     }
-    if (others.empty()) continue;
-    std::vector<const PlaneSection*> pointers;
-    for (const PlaneSection& s : others) pointers.push_back(&s);
-    first.edited |= edit_section(first.section, work.chart(first), {}, pointers, work.context).changed;
+    if (!twins.empty()) unite(work, *order[i], twins);
   }
   std::size_t p = 0;
   std::erase_if(work.planes, [&](const WorkPlane&) { return gone[p++]; });

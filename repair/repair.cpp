@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "../arrangement/normalise.h"
 #include "../geom/bounds.h"
 #include "../geom/failing.h"
 #include "repair_steps.h"
@@ -19,11 +20,11 @@ using repair_steps::WorkPlane;
 /// Nearer to another plane a vertex is a crossing, as the reconstruction takes it.
 constexpr double kOnPlane = 1e-9;
 
-constexpr std::array<const char*, 15> kNames{"offset-sign",       "plane-fitted",     "onto-plane",
-                                             "planes-united",     "contour-closed",   "contour-left-out",
-                                             "repeated-vertices", "spikes",           "crossings",
-                                             "tiny-loop",         "nearly-straight",  "agreed",
-                                             "pieces-left-out",   "borders-left-out", "left-as-it-is"};
+constexpr std::array<const char*, 16> kNames{
+    "offset-sign",    "plane-fitted",     "onto-plane",        "planes-united",
+    "contour-closed", "contour-left-out", "repeated-vertices", "spikes",
+    "crossings",      "no-area",          "tiny-loop",         "nearly-straight",
+    "agreed",         "pieces-left-out",  "borders-left-out",  "left-as-it-is"};
 
 Result<Done> check_options(const RepairOptions& o) {
   for (const double tolerance : {o.limit, o.plane_tolerance, o.same_plane, o.close_gap, o.repeated, o.spike,
@@ -61,11 +62,10 @@ Result<Done> check_input(const Sections& in, const RepairOptions& options) {
   return Done{};
 }
 
-Bounds box_of(const Sections& in) {
-  Bounds box;
-  for (const PlaneSection& p : in.planes)
-    for (const ContourEdge& e : p.edges) box.add(p.vertices[e.a]), box.add(p.vertices[e.b]);
-  return box;
+/// An open chain beside which all else is tiny is not where it should be, and says nothing of the size.
+Bounds box_of(const WallExtent& extent, const RepairOptions& options) {
+  const double closed = extent.closed.diagonal();
+  return closed > 0 && closed <= options.tiny_loop * extent.wide.diagonal() ? extent.closed : extent.wide;
 }
 
 /// The largest distance of a vertex of one contour from the other, both ways.
@@ -114,7 +114,7 @@ void finish(Work& work, const Sections& in) {
   }
   for (const RepairChange& c : r.changes) {
     if (moves_points(c.kind)) r.largest_displacement = std::max(r.largest_displacement, c.distance);
-    r.left += c.kind == RepairKind::left_as_it_is || c.kind == RepairKind::contour_left_out;
+    r.left += is_left(c.kind);
   }
 }
 
@@ -140,7 +140,8 @@ namespace {
 
 Result<Repair> repair_all(const Sections& in, const RepairOptions& options, const Context& context) {
   if (auto good = check_input(in, options); !good) return good.error();
-  const Bounds box = box_of(in);
+  const WallExtent extent = wall_extent(in);
+  const Bounds box = box_of(extent, options);
   Work work{options, context, {}, {}, box.diagonal(), {}};
   if (!(work.diagonal > 0)) {
     finish(work, in);
@@ -152,8 +153,9 @@ Result<Repair> repair_all(const Sections& in, const RepairOptions& options, cons
   for (std::uint32_t p = 0; p < in.planes.size(); ++p) {
     work.planes.push_back(
         {in.planes[p], p, {}, 0, false, static_cast<std::uint32_t>(in.planes[p].vertices.size())});
-    repair_steps::settle_plane(work.planes.back());
   }
+  if (options.loops) repair_steps::drop_flat_contours(work, extent.flat);
+  for (WorkPlane& p : work.planes) repair_steps::settle_plane(p);
   repair_planes_and_contours(work);
   for (WorkPlane& p : work.planes) repair_steps::settle_plane(p);
   if (options.agreement) agree(work);

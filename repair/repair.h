@@ -13,7 +13,9 @@
 
 namespace crossloft {
 
-/// Lengths are fractions of the diagonal of the box around all contours. Each step can be switched off.
+/// Lengths are fractions of the diagonal of the box around all contours that enclose an area. Open ones
+/// count, but where all others together were no more than a tiny loop beside them. Each step can be switched
+/// off.
 struct RepairOptions {
   double limit = 0.1;  ///< nothing moves further; what would have to is left as it is and listed
 
@@ -28,7 +30,7 @@ struct RepairOptions {
 
   bool crossings = true;  ///< contours that cross or overlap: even-odd
 
-  bool loops = true;        ///< tiny loops, runs that are nearly straight
+  bool loops = true;        ///< contours without area, tiny loops, runs that are nearly straight
   double tiny_loop = 1e-6;  ///< loops that a box of this size holds go
   double collinear =
       1e-10;  ///< a vertex that is no further off the line of its neighbours, and not on it, goes
@@ -41,12 +43,13 @@ enum class RepairKind : std::uint8_t {
   offset_sign,        ///< D of a plane had the wrong sign
   plane_fitted,       ///< normal and D of a plane fitted to its vertices
   onto_plane,         ///< vertices of a contour moved onto their plane
-  planes_united,      ///< the sections of nearly equal planes united
+  planes_united,      ///< the sections of nearly equal planes united, those within others read by even-odd
   contour_closed,     ///< ends of a chain joined
-  contour_left_out,   ///< a chain that does not close
+  contour_left_out,   ///< a chain that does not close, or a contour that vanished as planes were united
   repeated_vertices,  ///< vertices of a contour in the place of their neighbour
   spikes,             ///< vertices where a contour turned back on itself
   crossings,          ///< a contour that crossed itself or others, read by even-odd
+  no_area,            ///< a contour on a line or a point, as the reconstruction drops it
   tiny_loop,          ///< a loop too small to be meant
   nearly_straight,    ///< vertices of a contour that bent a straight run by a hair
   agreed,             ///< a section changed next to a common line, so that it agrees with the others there
@@ -54,6 +57,11 @@ enum class RepairKind : std::uint8_t {
   borders_left_out,   ///< borders between two materials of a section that was changed
   left_as_it_is,      ///< needs more than the limit, or no way was found: not repaired
 };
+
+/// True of what a repair leaves undone: good data would not have it.
+constexpr bool is_left(RepairKind kind) {
+  return kind == RepairKind::left_as_it_is || kind == RepairKind::contour_left_out;
+}
 
 /// The name of a kind in reports, "offset-sign" and so on.
 const char* name_of(RepairKind kind);
@@ -75,7 +83,7 @@ struct Repair {
   double diagonal = 0;                 ///< input units
   double largest_displacement = 0;     ///< input units: of a contour, from where it was to where it is
   std::uint32_t rounds = 0;            ///< of the agreement: in each one all lines were looked at
-  std::uint32_t left = 0;              ///< changes that are left_as_it_is or contour_left_out
+  std::uint32_t left = 0;              ///< changes that is_left() holds for
 };
 
 /// Repairs. What no step has a reason to touch stays as it is to the bit, and repairing the result again

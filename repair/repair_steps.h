@@ -27,7 +27,7 @@ struct Work {
   const RepairOptions& options;
   const Context& context;
   std::vector<WorkPlane> planes;  ///< in the order of the file
-  Vec3 middle;                    ///< of the box around all contours
+  Vec3 middle;                    ///< of the box around the contours that count
   double diagonal = 0;
   Repair result;
 
@@ -37,6 +37,9 @@ struct Work {
 
 /// Normal and offset of the plane from its section as it is now.
 void settle_plane(WorkPlane& plane);
+
+/// Of planes in the order of the file.
+void drop_flat_contours(Work& work, const std::vector<std::vector<std::uint32_t>>& flat);
 
 // In this order. Cancelled, a step ends soon and leaves something that is of no use.
 void repair_planes(Work& work);

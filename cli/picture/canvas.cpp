@@ -1,5 +1,7 @@
 #include "canvas.h"
 
+#include "../../geom/unit_size.h"
+
 namespace crossloft::cli {
 namespace {
 
@@ -13,8 +15,10 @@ std::uint8_t srgb(float linear) {
 
 View view_from(Vec3 toward) {
   View view;
+  toward = to_unit_size(toward);
   view.toward = (1 / norm(toward)) * toward;
   view.right = cross({0, 0, 1}, view.toward);
+  if (view.right == Vec3{}) view.right = {view.toward.z, 0, 0};
   view.right = (1 / norm(view.right)) * view.right;
   view.up = cross(view.toward, view.right);
   return view;

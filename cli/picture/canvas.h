@@ -48,7 +48,7 @@ struct View {
 /// A coordinate as an integer, -1 or `size` if it lies beyond a canvas of that size.
 inline int sample(double at, int size) { return at < size ? static_cast<int>(std::max(at, -1.0)) : size; }
 
-/// The view from direction `toward` (any length, not along z) with z up.
+/// The view from direction `toward` (of any length but 0) with z up; along z with x to the right from above.
 View view_from(Vec3 toward);
 
 /// Eight bits a channel, sRGB, rows from the top.

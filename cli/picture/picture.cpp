@@ -32,11 +32,14 @@ struct Scene {
   double ground = 0;  ///< its z
 };
 
-Scene scene_of(const Sections& sections, const Surface& surface) {
+Bounds box_of(const Sections& sections, const Surface& surface) {
   Bounds box = bounds_of(surface.points);
-  for (const PlaneSection& plane : sections.planes) {
-    for (const Vec3& p : plane.vertices) box.add(p);
-  }
+  for (const PlaneSection& plane : sections.planes) box.join(bounds_of(plane.vertices));
+  return box;
+}
+
+Scene scene_of(const Sections& sections, const Surface& surface) {
+  Bounds box = box_of(sections, surface);
   if (box.empty()) box.add(Vec3{});
   return {sections, surface, box.center(), std::max(0.5 * box.diagonal(), 1e-300), box.low.z};
 }
@@ -103,9 +106,11 @@ Vec3 ground_point(const View& view, const Scene& scene, int x, int y) {
   return seen + ((scene.ground - seen.z) / view.toward.z) * view.toward;
 }
 
-/// The shadow on the ground, in the samples from `first_x` on that show the background.
+/// The shadow on the ground, in the samples from `first_x` on that show the background. Only from above is
+/// the ground behind what stands on it.
 void paint_shadow(Canvas& canvas, const View& view, const Scene& scene, const Lighting& lighting,
                   int first_x) {
+  if (!(view.toward.z > 0)) return;
   const Vec3 up{0, 0, 1}, far_away = scene.center + (1e3 * scene.radius) * Vec3{1, 1, 1};
   for (int y = 0; y < canvas.height(); ++y) {
     for (int x = first_x; x < canvas.width(); ++x) {
@@ -185,6 +190,16 @@ void paint_section(Canvas& canvas, const View& view, const PlaneSection& plane, 
 }
 
 }  // namespace
+
+bool is_beside(const Sections& sections, const Surface& surface, const PictureOptions& options) {
+  if (!(options.reach > 0)) return false;
+  const Bounds box = box_of(sections, surface);
+  if (box.empty()) return true;
+  const Vec3 m = options.middle,
+             nearest{std::clamp(m.x, box.low.x, box.high.x), std::clamp(m.y, box.low.y, box.high.y),
+                     std::clamp(m.z, box.low.z, box.high.z)};
+  return norm(nearest - m) > options.reach;
+}
 
 Image draw_picture(const Sections& sections, const Surface& surface, const PictureOptions& options) {
   const Scene scene = scene_of(sections, surface);

@@ -14,6 +14,9 @@ struct PictureOptions {
   double reach = 0;                 ///< this is not 0: how far around it
 };
 
+/// True iff the part to be shown is away from the box of the data.
+bool is_beside(const Sections& sections, const Surface& surface, const PictureOptions& options);
+
 /// Draws, seen without perspective, standing on the ground. Depends on its arguments only.
 Image draw_picture(const Sections& sections, const Surface& surface, const PictureOptions& options = {});
 

@@ -108,8 +108,20 @@ expect 0 '^crossings +1 change' reconstruct bowtie2.contour -o bowtie2.ply --rep
 grep -q '"repair": {' bowtie2.json || fail 'the report does not tell of the repair'
 printf "2\n$(section 1)0 0 1 0 4 3\n${square//%s/0}0 1 1 0\n1 2 1 0\n2 3 1 0\n" >open2.contour
 expect 3 '^crossloft: open2.contour.*not closed' check cube.ply open2.contour
-expect 1 'left out' repair open2.contour -o open2_clean.contour
+expect 1 '^crossloft: warning: plane 1, contour 0: contour-left-out: the chain of 3 edges' repair open2.contour -o open2_clean.contour
+expect 1 '^crossloft: warning: plane 1, contour 0: contour-left-out' reconstruct open2.contour -o open2.ply --repair --quiet
+[ -s open2.ply ] || fail 'no surface without the contour that was left out'
 expect 0 '^contour-closed' repair open2.contour -o open2_clean.contour --close-gap 1 --limit 1
+# A hole as a record of its own, which reconstruct refuses, is a hole.
+hole() { printf '0 0 1 %s 4 4\\n.2 .2 %s\\n.8 .2 %s\\n.8 .8 %s\\n.2 .8 %s\\n%s' "-$1" "$1" "$1" "$1" "$1" "$edges"; }
+printf "4\n$(section 0)$(hole 0)$(section 1)$(hole 1)" >hole.contour
+expect 3 'overlaps that of plane 0' reconstruct hole.contour -o hole.ply
+expect 0 'volume 0.64$' reconstruct hole.contour -o hole.ply --repair --mode joint
+# One point far away encloses nothing: it says nothing of the size, and the cube stays.
+printf "2\n$(section 1)0 0 1 0 5 5\n${square//%s/0}5e6 5e6 0\n${edges}4 4 1 0\n" >far.contour
+expect 0 '^no-area +1 change' repair far.contour -o near.contour
+expect 0 'volume 1$' reconstruct far.contour -o far.ply --repair
+grep -q '^crossloft: warning: plane 1, contour 1: no-area: left out' out.txt || fail 'no word of the point'
 expect 2 '' repair cube.contour -o clean.contour --limit 2
 expect 2 '' repair cube.contour -o cube.contour
 expect 3 'missing.contour' repair missing.contour -o clean.contour
@@ -142,6 +154,10 @@ expect 0 '2 planes' slice cube.ply -o cut.csl --planes planes.txt
 printf '0 0 1\n' >planes.txt
 expect 3 'planes.txt:1: expected four' slice cube.ply -o cut2.csl --planes planes.txt
 absent cut2.csl
+printf '\xEF\xBB\xBF0 0 1 -0.5\n' >planes.contour
+expect 0 '1 planes' slice cube.ply -o cut.csl --planes planes.contour
+expect 2 'planes.contour: is the input' slice cube.ply -o planes.contour --planes planes.contour
+[ "$(grep -c . planes.contour)" = 1 ] || fail 'the list of planes was overwritten'
 expect 0 '' reconstruct cube.contour -o quiet.ply --quiet
 [ -s out.txt ] && { echo "FAILED: --quiet is not"; cat out.txt; failures=$((failures + 1)); }
 
@@ -184,7 +200,7 @@ expect 1 '^NOT good: sections are missing .0.333 of their area.$' check cube.ply
 expect 0 '^good$' check cube.ply tall.contour --max-missing 0.4
 expect 1 '^NOT good: .*too far off$' check cube.ply tall.contour --max-missing 1 --max-distance 0.9
 for limit in distance missing extra; do
-  for value in nan -1; do expect 2 'is not a number from 0 up' check cube.ply cube.contour --max-$limit $value; done
+  for value in nan -1; do expect 2 'is not a number from 0 to inf' check cube.ply cube.contour --max-$limit $value; done
 done
 
 # One plane in several records is one section
@@ -204,8 +220,41 @@ expect 0 '' reconstruct "$examples/link.contour" -o annular.ply --mode joint --r
   --picture-size 64 32 --picture-from 0.6 -0.5 0.4 --picture-of -0.9 0.45 0.3 0.45
 grep -q '"vertex_copies": 1,' annular.json && grep -q '"bad_links": 1$' annular.json || fail 'not one annular link'
 [ "$(od -An -tx1 -j16 -N8 annular.png | tr -d ' ')" = 0000004000000020 ] || fail 'a picture of another size'
-expect 2 'picture-from' reconstruct "$examples/link.contour" -o annular.ply --picture-from 0 0 1
-expect 2 'picture-of' reconstruct "$examples/link.contour" -o annular.ply --picture-of 0 0 1 0
+for from in '0 0 1' '1 0 0' '0 -1 -1'; do
+  expect 0 '' reconstruct cube.contour -o side.ply --picture side.png --picture-size 32 16 --picture-from $from
+done
+expect 2 'picture-from' reconstruct cube.contour -o side.ply --picture side.png --picture-from 0 0 0
+expect 2 'picture-of' reconstruct cube.contour -o side.ply --picture side.png --picture-of 0 0 1 0
+expect 0 'warning: --picture-of: the data are further' reconstruct cube.contour -o side.ply --picture side.png \
+  --picture-size 32 16 --picture-of 9 9 9 1
+
+# Options that would change nothing, or contradict each other
+for option in '--picture-size 64 32' '--picture-from 1 1 1' '--picture-of 0 0 0 1'; do
+  expect 2 'requires --picture' reconstruct cube.contour -o useless.ply $option
+done
+expect 2 'requires --repair' reconstruct cube.contour -o useless.ply --repair-limit 0.1
+expect 2 'excludes --keep-touching' reconstruct cube.contour -o useless.ply --separate 0.1 --keep-touching
+for option in --join-confidence --dome-confidence --alone-confidence --cavity-confidence --smooth-weight; do
+  expect 2 "$option: is for --mode natural" reconstruct cube.contour -o useless.ply --mode paper $option 0.1
+  expect 2 "$option: nan is not a number" reconstruct cube.contour -o useless.ply $option nan
+done
+for option in --divide --look-around; do
+  expect 2 "$option: is for --mode natural" reconstruct cube.contour -o useless.ply --mode joint $option all
+done
+expect 2 'limit: nan is not a number from 0 to 1' repair cube.contour -o useless.contour --limit nan
+expect 2 'direction: is for' slice cube.ply -o useless.contour --random 3 --direction 1 0 0
+expect 2 'seed: is for' slice cube.ply -o useless.contour --parallel 3 --seed 1
+for seed in -1 1.5 18446744073709551616; do
+  expect 2 "seed: $seed is not a whole number" slice cube.ply -o useless.contour --random 3 --seed $seed
+done
+absent useless.ply useless.contour
+expect 0 '1 planes' slice cube.ply -o far.contour --random 1 --seed 18446744073709551615
+for length in 1e-300 1e300; do
+  expect 0 '2 planes' slice cube.ply -o x.contour --parallel 2 --direction $length 0 0
+  expect 0 'directions, 2 with a section' info x.contour
+done
+printf 'OFF\n0 0 0\n' >nothing.off
+expect 3 'nothing.off: the mesh has no triangle' slice nothing.off -o useless.contour --parallel 3
 
 # Delaunay: the same points as text, surfaces and raw doubles
 # value KEY REPORT: what a report says.

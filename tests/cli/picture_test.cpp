@@ -50,3 +50,37 @@ TEST_CASE("a part is seen however much it is enlarged") {
   options.reach = 1e-310, options.middle = {1e308, -1e308, 1e308};
   cli::draw_picture(square(), sheet(), options);
 }
+
+TEST_CASE("it can be seen from any side") {
+  Sections upright = square();
+  upright.planes[0].normal = {1, 0, 0};
+  Surface wall = sheet();
+  for (auto* points : {&upright.planes[0].vertices, &wall.points})
+    for (Vec3& p : *points) p = {0, p.x, p.y};  // now towards x
+  cli::PictureOptions options;
+  options.width = 64, options.height = 32;
+  const auto is_drawn = [&](const Sections& sections, const Surface& surface, Vec3 from) {
+    options.from = from;
+    const cli::Image seen = cli::draw_picture(sections, surface, options);
+    const cli::Image nothing = cli::draw_picture({}, {}, options);
+    return colour(seen, false) != colour(nothing, false) && colour(seen, true) != colour(nothing, true);
+  };
+  for (const double length : {1.0, 1e-300, 1e300}) {
+    CHECK(is_drawn(square(), sheet(), {0, 0, length}));
+    CHECK(is_drawn(upright, wall, {length, 0, 0}));
+    CHECK(is_drawn(upright, wall, {length, 0, -length}));
+  }
+  std::swap(wall.triangles[0][1], wall.triangles[0][2]),
+      std::swap(wall.triangles[1][1], wall.triangles[1][2]);
+  CHECK(is_drawn(upright, wall, {-1, 0, 0}));
+}
+
+TEST_CASE("a part that is away from the data is known to be so") {
+  cli::PictureOptions options;
+  CHECK(!cli::is_beside(square(), sheet(), options));
+  options.reach = 1, options.middle = {1.5, 0, 0};
+  CHECK(!cli::is_beside(square(), sheet(), options));
+  options.middle = {2.5, 0, 0};
+  CHECK(cli::is_beside(square(), sheet(), options));
+  CHECK(cli::is_beside({}, {}, options));
+}

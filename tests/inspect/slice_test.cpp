@@ -213,3 +213,16 @@ TEST_CASE("plane sets are as described") {
   CHECK(random_planes(box, 3, 1)[2].offset == random_planes(box, 5, 1)[2].offset);
   CHECK(random_planes(Bounds{}, 3, 1).empty());
 }
+
+TEST_CASE("directions may have any length") {
+  const Bounds box = bounds_of(cube(-1, 1).points);
+  for (const double length : {1e-300, 0x1p-1074, 1e300}) {
+    const Vec3 x{length, 0, 0};
+    CHECK(parallel_planes(box, 4, x)[0].normal == Vec3{1, 0, 0});
+    CHECK(rotational_planes(box, 7, x)[0].normal == rotational_planes(box, 7, {1, 0, 0})[0].normal);
+  }
+}
+
+TEST_CASE("of an empty mesh there is nothing to cut") {
+  CHECK(slice({}, {}).error().message == "the mesh has no triangle to be cut");
+}

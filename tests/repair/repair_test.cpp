@@ -348,3 +348,127 @@ TEST_CASE("names of kinds are all different") {
   std::sort(names.begin(), names.end());
   CHECK(std::unique(names.begin(), names.end()) == names.end());
 }
+
+namespace {
+
+/// Two squares of size 1, and a contour through these points in the plane of the first.
+Sections squares_and(const std::vector<Vec3>& points) {
+  Sections sections = two_squares();
+  add_contour(sections.planes[0], points, 1);
+  return sections;
+}
+
+/// Nothing but one contour without area was left out.
+void check_only_flat(const Sections& dirty) {
+  const Repair repair = repaired(dirty);
+  REQUIRE(repair.changes.size() == 1);
+  const RepairChange& told = repair.changes[0];
+  CHECK(told.kind == RepairKind::no_area);
+  CHECK((told.plane == 0 && told.contour == 1 && told.vertex == 4));
+  CHECK(repair.left == 0);
+  CHECK(repair.diagonal == repaired(two_squares()).diagonal);
+  for (std::size_t p = 0; p < 2; ++p)
+    CHECK(repair.sections.planes[p].vertices == two_squares().planes[p].vertices);
+  check_clean(repair);
+}
+
+}  // namespace
+
+TEST_CASE("contours without area go, are told, and do not count for the size") {
+  check_only_flat(squares_and({{5, 5, 0}}));
+  check_only_flat(squares_and({{5e6, 5e6, 0}}));
+  check_only_flat(squares_and({{5e6, 5e6, 0}, {6e6, 5e6, 0}}));
+  check_only_flat(squares_and({{5e6, 5e6, 0}, {6e6, 6e6, 0}, {7e6, 7e6, 0}}));
+}
+
+TEST_CASE("an edge from a vertex to itself is told also where contours without area stay") {
+  RepairOptions options;
+  options.loops = false;
+  const Repair repair = repaired(squares_and({{5e6, 5e6, 0}}), options);
+  REQUIRE(repair.changes.size() == 1);
+  CHECK(repair.changes[0].kind == RepairKind::repeated_vertices);
+  CHECK(repair.changes[0].contour == 1);
+  CHECK(repair.sections.planes[0].edges.size() == 4);
+}
+
+TEST_CASE("an open chain far away does not make good contours tiny") {
+  Sections dirty = squares_and({{5e6, 5e6, 0}, {5e6 + 1, 5e6, 0}, {5e6 + 1, 5e6 + 1, 0}});
+  dirty.planes[0].edges.pop_back();
+  const Repair repair = repaired(dirty);
+  REQUIRE(repair.changes.size() == 1);
+  CHECK(repair.changes[0].kind == RepairKind::contour_left_out);
+  CHECK(repair.left == 1);
+  CHECK(repair.sections.planes[0].vertices == two_squares().planes[0].vertices);
+  check_clean(repair);
+}
+
+TEST_CASE("where all loops are tiny beside their distance none goes") {
+  Sections far_apart = squares_and(square(1e7, 0, 0, 1));
+  RepairOptions options;
+  options.planes = false;  // beside that distance the planes are one
+  const Repair repair = repaired(far_apart, options);
+  CHECK(changes(repair, RepairKind::tiny_loop).size() == 0);
+  CHECK(changes(repair, RepairKind::left_as_it_is).size() == 3);
+  CHECK(repair.left == 3);
+  CHECK(repair.sections.planes[0].edges.size() == 8);
+}
+
+namespace {
+
+/// z = 0 with a square of half side 2, z = 1 with the same, and more records of z = 0 with a contour each.
+Sections with_records(const std::vector<std::vector<Vec3>>& contours) {
+  Sections sections{"", {plane_at({0, 0, 1}, {0, 0, 0}), plane_at({0, 0, 1}, {0, 0, 1})}};
+  add_contour(sections.planes[0], square(0, 0, 0, 2));
+  add_contour(sections.planes[1], square(0, 0, 1, 2));
+  for (const auto& contour : contours) {
+    sections.planes.push_back(plane_at({0, 0, 1}, {0, 0, 0}));
+    add_contour(sections.planes.back(), contour);
+  }
+  return sections;
+}
+
+/// Of z = 0 as it is now.
+std::size_t walls_in_first(const Repair& repair) {
+  REQUIRE(repair.sections.planes.size() == 2);
+  for (const PlaneSection& plane : repair.sections.planes)
+    if (plane.offset == 0) return plane.edges.size();
+  return 0;
+}
+
+}  // namespace
+
+TEST_CASE("a hole as a record of its own is a hole, also if records are there twice or touch") {
+  const std::vector<Vec3> hole = square(0, 0, 0, 1), corner = square(1, 1, 0, 1),
+                          island = square(0, 0, 0, 0.5);
+  const std::vector<Vec3> touching{{2, 0, 0}, {0, 1, 0}, {0, -1, 0}};
+  const auto check = [](const Sections& dirty, std::size_t walls) {
+    const Repair repair = repaired(dirty);
+    CHECK(changes(repair, RepairKind::planes_united).size() == dirty.planes.size() - 2);
+    CHECK(repair.left == 0);
+    CHECK(walls_in_first(repair) == walls);
+    check_clean(repair);
+  };
+  check(with_records({hole}), 8);
+  check(with_records({hole, hole, square(0, 0, 0, 2)}), 8);
+  check(with_records({island, hole}), 12);
+  check(with_records({square(0, 0, 0, 2)}), 4);
+  check(with_records({square(8, 0, 0, 1)}), 8);
+  check(with_records({touching}), 8);  // one vertex on an edge, which is cut there
+}
+
+TEST_CASE("a contour that vanishes as planes are united is told and counts as left") {
+  Sections dirty = with_records({square(2, 0, 0, 1)});  // crosses the square of plane 0
+  add_contour(dirty.planes[2], square(-1, 0, 0, 0.25), 1);
+  const Repair repair = repaired(dirty);
+  const auto told = changes(repair, RepairKind::contour_left_out);
+  REQUIRE(told.size() == 1);
+  CHECK((told[0].plane == 2 && told[0].contour == 1 && told[0].vertex == 4 && told[0].count == 4));
+  CHECK(repair.left == 1);
+  CHECK(walls_in_first(repair) == 8);
+}
+
+TEST_CASE("a record that fills a corner of another one is a part of it, and is told") {
+  const Repair repair = repaired(with_records({square(1, 1, 0, 1)}));
+  CHECK(changes(repair, RepairKind::contour_left_out).size() == 1);
+  CHECK(walls_in_first(repair) == 6);
+}
