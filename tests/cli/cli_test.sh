@@ -199,6 +199,8 @@ printf "3\n$(section 0)$(section 1)$(section 5)" >tall.contour
 expect 1 '^NOT good: sections are missing .0.333 of their area.$' check cube.ply tall.contour
 expect 0 '^good$' check cube.ply tall.contour --max-missing 0.4
 expect 1 '^NOT good: .*too far off$' check cube.ply tall.contour --max-missing 1 --max-distance 0.9
+expect 2 'on-plane' check cube.ply cube.contour --on-plane nan
+expect 2 'on-plane' check cube.ply cube.contour --on-plane 0.2
 for limit in distance missing extra; do
   for value in nan -1; do expect 2 'is not a number from 0 to inf' check cube.ply cube.contour --max-$limit $value; done
 done
