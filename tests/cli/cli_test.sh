@@ -402,6 +402,10 @@ absent c.ply
 # Nothing to join: empty surface, told why
 printf "1\n$(section 0)" >one.contour
 expect 0 'warning' reconstruct one.contour -o one.ply
+printf "1\n0 0 1 0 4 8\n${square//%s/0}$edges$edges" >twice.contour
+for how in '' --stream; do
+  expect 0 '^crossloft: warning: plane 0, contour 0: dropped, it encloses no area' reconstruct twice.contour -o one.ply $how
+done
 printf '1\n0 0 1 0 0 0\n' >none.contour
 expect 0 'mismatch +nothing to compare, since there is no contour' info none.contour
 printf "2\n$(section 0)$(section 1 | sed 's/ 1 0\\n/ 2 0\\n/g')" >materials.contour
