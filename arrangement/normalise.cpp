@@ -285,12 +285,14 @@ void note_materials(const Sections& in, std::vector<std::string>& notes) {
     for (const ContourEdge& e : p.edges)
       for (const std::int32_t m : {e.material_a, e.material_b})
         if (m != 0 && m != last) materials.insert(last = m);
-  if (materials.size() > 1)
-    notes.push_back("the sections have " + std::to_string(materials.size()) +
-                    " materials; inside means any of them");
+  if (materials.size() > 1) notes.push_back(note_of_materials(materials.size()));
 }
 
 }  // namespace
+
+std::string note_of_materials(std::size_t count) {
+  return "the sections have " + std::to_string(count) + " materials: inside is any of them";
+}
 
 double diagonal_of(const Bounds& box) { return box.empty() ? 0 : safe_norm(box.high - box.low); }
 

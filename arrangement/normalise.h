@@ -48,6 +48,9 @@ struct WallExtent {
 /// REQUIRES: finite numbers, edges between vertices that are there. O(v log v) for v vertices and edges.
 WallExtent wall_extent(const Sections& sections);
 
+/// What is told of several materials, by all in the same words, so that it is told once.
+std::string note_of_materials(std::size_t count);
+
 /// Of a box, without overflow of the squares; 0 if it is empty.
 double diagonal_of(const Bounds& box);
 

@@ -27,7 +27,7 @@ struct Arguments {
   std::string make_input;
 };
 
-/// How examples/demo.contour came to be.
+/// How examples/demo.contour came to be; roundings have changed since.
 ExitCode make_input(const std::string& path) {
   Terminal terminal;
   const Surface solid = demo_solid(44);
@@ -81,7 +81,8 @@ void add_demo(CLI::App& program, ExitCode& outcome) {
   command->add_option("-o,--output", a.folder, "folder for the results, made if missing")
       ->capture_default_str();
   command
-      ->add_option("--make-input", a.make_input, "only write the demo's sections, cut from the demo's solid")
+      ->add_option("--make-input", a.make_input,
+                   "only write sections like the demo's, up to rounding: cut from the demo's solid anew")
       ->check(is_sections_file());
 }
 

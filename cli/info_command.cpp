@@ -38,6 +38,10 @@ std::string length_text(double length, double diagonal) {
 void print_agreement(Terminal& terminal, const SectionsInfo& info) {
   terminal.print("off plane    %s\n", length_text(info.off_plane, info.diagonal).c_str());
   terminal.print("crossing     %u pairs of contour edges\n", info.crossing_edges);
+  if (info.edges == 0) {
+    terminal.print("mismatch     nothing to compare, since there is no contour\n");
+    return;
+  }
   if (!info.lines_compared) {
     terminal.print("mismatch     not known, since contours cross\n");
     return;

@@ -142,13 +142,13 @@ void add_natural_options(CLI::App& command, NaturalOptions& natural) {
                   "natural: weight of a small surface against a likely volume")
       ->capture_default_str()
       ->check(number_in(0.0, kLargestSmoothWeight));
-  add_where(
-      command, "--divide", natural.divide,
-      "natural: points inside cells, where sections can't be joined or much is lost without: auto where "
-      "planes meet in the cell");
+  add_where(command, "--divide", natural.divide,
+            "natural: points inside cells, where sections can't be joined or much is lost without: auto "
+            "where planes "
+            "meet in the cell; all not with --stream");
   add_where(command, "--look-around", natural.look_around,
             "natural: where it is in doubt whether sections are joined in a cell, ask the planes around it: "
-            "auto where planes meet in the cell");
+            "auto where planes meet in the cell; all not with --stream");
 }
 
 /// What no other mode reads.
@@ -247,7 +247,7 @@ void add_stream(CLI::App& command, Arguments& a) {
   CLI::Option* stream = command.add_flag(
       "--stream", a.stream,
       "for a stack of parallel planes: read and reconstruct a few slices at a time, so that memory does not "
-      "grow with the stack");
+      "grow with the stack; not into .stl, and without --divide all and --look-around all");
   for (const char* whole : {"--solid", "--picture", "--dump-sections", "--dump-branching", "--repair"})
     stream->excludes(command.get_option(whole));
   command
@@ -266,7 +266,9 @@ void add_reconstruct(CLI::App& program, ExitCode& outcome) {
       "crossloft reconstruct bear.contour -o bear.ply --solid bear.vtu --report bear.json",
       [&outcome](const Arguments& arguments) { outcome = run(arguments); });
   command->add_option("FILE", a.input, "cross-sections")->required()->check(is_sections_file());
-  command->add_option("-o,--output", a.surface, "the surface")->required()->check(is_surface_file());
+  command->add_option("-o,--output", a.surface, "the surface; with --stream not .stl")
+      ->required()
+      ->check(is_surface_file());
   command->add_option("--solid", a.solid, "also the tetrahedra")->check(is_solid_file());
   command
       ->add_option("--mode", a.mode,

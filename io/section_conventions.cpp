@@ -4,6 +4,8 @@
 #include <cmath>
 #include <string>
 
+#include "../arrangement/normalise.h"
+
 namespace crossloft {
 namespace {
 
@@ -48,8 +50,7 @@ void SectionConventions::tell(const Context& context) const {
     context.warn("components with a label below 1, which names the outside, are taken as 1");
   if (is_negated())
     context.note("the planes of the file are n.x = D, not n.x + D = 0: the sign of D was changed");
-  if (materials_.size() > 1)
-    context.note("the file has " + std::to_string(materials_.size()) + " materials: inside is any of them");
+  if (materials_.size() > 1) context.note(note_of_materials(materials_.size()));
 }
 
 void SectionConventions::apply(PlaneSection& plane) const {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <set>
 
+#include "../arrangement/normalise.h"
 #include "../geom/failing.h"
 #include "pipeline.h"
 #include "seam.h"
@@ -42,8 +43,7 @@ class StackBuilder {
     planes_ = std::move(planes).value();
     if (auto good = check_joins(); !good) return good.error();
     stitcher_.emplace(sink_, planes_.extent.low);
-    if (!planes_.extent.empty())
-      if (auto good = build(); !good) return good.error();
+    if (auto good = planes_.extent.empty() ? tell_dropped() : build(); !good) return good.error();
     finish();
     report_.seconds = watch.lap();
     return std::move(report_);
@@ -220,6 +220,18 @@ class StackBuilder {
                                  "some have no area; what two windows share is counted twice");
     if (contacts_ != 0)
       report_.warnings.push_back(std::to_string(contacts_) + " pairs of triangles touch");
+  }
+
+  /// Without any wall there is no window whose frame would tell of contours that cancelled each other.
+  Result<Done> tell_dropped() {
+    for (std::uint32_t l = 0; l < planes_.levels(); ++l) {
+      const auto part = read_part(source_, planes_, l, l + 1);
+      if (!part) return part.error();
+      const auto normalised = normalise(*part, options_.options.plane_tolerance, quiet_);
+      if (!normalised) return normalised.error();
+      add_new(normalised->warnings, report_.warnings);
+    }
+    return Done{};
   }
 
   void explain_empty() {

@@ -47,7 +47,9 @@ section() { printf '0 0 1 %s 4 4\\n%s%s' "-$1" "${square//%s/$1}" "$edges"; }
 
 # Usage
 expect 2 'subcommand is required'
-expect 2 '' nonsense
+expect 2 "'reconstuct' is no command; did you mean reconstruct" reconstuct x.contour -o x.ply
+expect 2 "'nonsense' is no command" nonsense
+expect 2 "'' is no command" ''
 expect 2 '' reconstruct --nonsense
 expect 2 'unknown extension' reconstruct "$source/examples/demo.contour" -o x.xyz
 expect 2 'unknown extension' reconstruct input.txt -o x.ply
@@ -429,6 +431,15 @@ absent c.ply
 # Nothing to join: empty surface, told why
 printf "1\n$(section 0)" >one.contour
 expect 0 'warning' reconstruct one.contour -o one.ply
+printf "1\n0 0 1 0 4 8\n${square//%s/0}$edges$edges" >twice.contour
+for how in '' --stream; do
+  expect 0 '^crossloft: warning: plane 0, contour 0: dropped, it encloses no area' reconstruct twice.contour -o one.ply $how
+done
+printf '1\n0 0 1 0 0 0\n' >none.contour
+expect 0 'mismatch +nothing to compare, since there is no contour' info none.contour
+printf "2\n$(section 0)$(section 1 | sed 's/ 1 0\\n/ 2 0\\n/g')" >materials.contour
+expect 0 'the sections have 2 materials' reconstruct materials.contour -o materials.ply
+[ "$(grep -c materials out.txt)" = 1 ] || fail 'materials are told of twice'
 [ -s one.ply ] || { echo "FAILED: no surface for one plane"; failures=$((failures + 1)); }
 
 # A failure leaves an existing target as it was

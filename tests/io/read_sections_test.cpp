@@ -102,7 +102,7 @@ TEST_CASE("labels: a hole has its parent's, numbers below 1 are taken as 1, seve
   CHECK(read->planes[0].edges[4].material_a == 7);
   CHECK(read->planes[0].edges[8].material_a == 1);
   CHECK(heard.warnings.size() == 1);
-  CHECK(heard.notes == std::vector<std::string>{"the file has 2 materials: inside is any of them"});
+  CHECK(heard.notes == std::vector<std::string>{"the sections have 2 materials: inside is any of them"});
 }
 
 TEST_CASE("line ends, blank lines, a byte order mark and NLABELS change nothing") {
