@@ -164,7 +164,7 @@ void add_limits(CLI::App& command, Arguments& a) {
           "a surface vertex this near a plane lies on it; a fraction of the diagonal. What --separate moved "
           "needs as much as that was given")
       ->capture_default_str()
-      ->check(is_not_negative() & CLI::Range(0.0, 0.1));
+      ->check(number_in(0, 0.1));
   command
       .add_option("--plane-tolerance", a.options.plane_tolerance,
                   "a section vertex further from its plane is an error, as in reconstruct; a fraction of the "

@@ -72,12 +72,14 @@ class KnownConfidences {
   std::size_t count_ = 0;
 };
 
-/// What is the same for a cell however points inside divide it: its sections and contours, and the
+/// What is the same for a cell however points inside divide it: its sections and contours, its hull, and the
 /// confidences of tetrahedra that stay. REQUIRES: such points come after all vertices.
 struct CellMemory {
   std::vector<SectionRows> sections;     ///< by face
   std::optional<ContourEdges> contours;  ///< once a tetrahedron has a vertex inside the cell
   KnownConfidences known;
+  std::uint32_t wide_parts = kNone;  ///< of the hull (walls.h), once they have been counted
+  bool has_walls = false;            ///< R1 lacked none, as far as is known
 };
 
 /// The mean over five points p of the tetrahedron (its centroid, 0.4, and the middles from there to its

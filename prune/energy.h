@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "../geom/context.h"
 #include "cell_complex.h"
 #include "cell_shape.h"
 #include "confidence.h"

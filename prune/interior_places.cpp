@@ -7,7 +7,7 @@
 #include "../geom/bounds.h"
 #include "../geom/disjoint_sets.h"
 #include "confidence.h"
-#include "lacking_walls.h"
+#include "walls.h"
 #include "prune.h"
 #include "star.h"
 
@@ -188,8 +188,14 @@ std::vector<std::uint32_t> large_ones(const CellComplex& complex, const CellShap
 /// Places where walls would be, but for external tetrahedra.
 void divide_walls(const CellComplex& complex, const CellShape& shape, const std::vector<std::uint8_t>& r1,
                   ConfidenceMeter& meter, std::vector<Vec3>& places) {
-  const std::vector<std::uint32_t> walls = lacking_walls(complex, r1, as_integer(kWallConfidence),
-                                                         [&](std::uint32_t t) { return meter.measure(t); });
+  if (shape.memory != nullptr && shape.memory->has_walls) return;
+  const Walls found = find_walls(complex, r1, as_integer(kWallConfidence),
+                                 [&](std::uint32_t t) { return meter.measure(t); });
+  const std::vector<std::uint32_t>& walls = found.lacking;
+  if (shape.memory != nullptr) {
+    shape.memory->wide_parts = found.wide_parts;
+    shape.memory->has_walls = walls.empty();
+  }
   std::vector<std::uint8_t> is_in(walls.empty() ? 0 : r1.size(), 0);
   for (const std::uint32_t t : walls) is_in[t] = 1;
   for (const std::uint32_t t : walls) {

@@ -6,7 +6,7 @@
 #include "confidence.h"
 #include "cracks.h"
 #include "energy.h"
-#include "lacking_walls.h"
+#include "walls.h"
 #include "likely_joins.h"
 #include "outside.h"
 #include "star.h"
@@ -51,7 +51,7 @@ class NaturalPruning {
     if (report.before.bodies < report.before.sections)
       report.joins = find_widest_ways(complex_, ground_, result.kept, bodies.of_ground,
                                       [&](std::uint32_t t) { return confidence_of(t); });
-    const bool good = !add_walls(r1, result.kept) && is_good(report, result.kept);
+    const bool good = !add_walls(r1, report.before.outsides, result.kept) && is_good(report, result.kept);
     std::vector<std::uint32_t> body_in_r1;
     if (may_doubt()) body_in_r1 = bodies_of(r1, bodies);
     const bool doubts = !body_in_r1.empty() && !is_surely_joined(bodies, body_in_r1, report.joins);
@@ -102,14 +102,16 @@ class NaturalPruning {
   }
 
   /// Lets growth build walls that the cut left out though R1 has them; not where it was asked to leave
-  /// something open. False if there are none.
-  bool add_walls(const std::vector<std::uint8_t>& r1, std::vector<std::uint8_t>& allowed) {
-    if (!requests_.opened.empty()) return false;
-    const std::vector<std::uint32_t> walls =
-        lacking_walls(complex_, allowed, as_integer(kWallConfidence),
-                      [&](std::uint32_t t) { return r1[t] != 0 ? confidence_of(t) : -kCertain; });
-    for (const std::uint32_t t : walls) allowed[t] = 1;
-    return !walls.empty();
+  /// something open, nor where the outside has as many parts as the hull. False if there are none.
+  bool add_walls(const std::vector<std::uint8_t>& r1, std::uint32_t outsides,
+                 std::vector<std::uint8_t>& allowed) {
+    const std::uint32_t wide = shape_.memory != nullptr ? shape_.memory->wide_parts : kNone;
+    if (!requests_.walls || !requests_.opened.empty() || outsides >= wide) return false;
+    const Walls walls = find_walls(complex_, allowed, as_integer(kWallConfidence), [&](std::uint32_t t) {
+      return r1[t] != 0 ? confidence_of(t) : -kCertain;
+    });
+    for (const std::uint32_t t : walls.lacking) allowed[t] = 1;
+    return !walls.lacking.empty();
   }
 
   /// Not where the user has decided: of single sections, or by a limit that leaves no doubt.

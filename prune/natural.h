@@ -57,6 +57,7 @@ struct CellRequests {
   std::vector<TetName> joined;  ///< bodies to be joined with what they most likely belong to
   std::vector<OpenRequest> opened;
   std::vector<TetName> dropped;  ///< of spikes, whose sections need none
+  bool walls = true;    ///< those that the sections ask for are built
   bool handles = true;  ///< those that the sections ask for may come
   CancelFlag cancel = nullptr;  ///< once it is raised the result comes soon, and means nothing
 };

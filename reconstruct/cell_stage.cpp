@@ -133,6 +133,7 @@ PruneResult Pipeline::prune_built(const CellInHand& hand, const CellRequests& as
   if (options_.mode != PruneMode::natural) return prune(complex, *hand.ground, {}, {options_.mode, {}}, {});
   CellRequests requests = by_local_numbers(asked, hand.built);
   requests.wishes = cell_wishes(options_.joins, hand.faces, hand.built);
+  requests.walls = is_in(InCells::automatic, hand.id);  // elsewhere a hull has one wide part
   requests.handles = !is_in(InCells::automatic, hand.id);  // where planes meet none was ever found
   requests.cancel = context_.cancel;
   return prune(complex, *hand.ground, hand.shape, {options_.mode, options_.natural}, requests);

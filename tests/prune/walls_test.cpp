@@ -1,5 +1,5 @@
 // Walls that a solid lacks, against parts of the hull and of the outside put together from sets of vertices.
-#include "prune/lacking_walls.h"
+#include "prune/walls.h"
 
 #include <doctest/doctest.h>
 
@@ -20,15 +20,14 @@ constexpr std::int32_t kLeast = 400;
 
 /// A cell with a random solid in R1 and random confidences, several tetrahedra to each.
 struct Scene {
-  explicit Scene(std::uint32_t seed)
-      : random(seed), cell(seed % 2 == 0 ? random_cell(seed) : deep_cell(seed)), solid(r1_of(cell)) {
+  explicit Scene(std::uint32_t seed) : random(seed), cell(random_cell(seed)), solid(r1_of(cell)) {
     for (std::uint32_t t = 0; t < cell.mesh.size(); ++t) {
       confidence.push_back(100 * static_cast<std::int32_t>(random() % 10));
       if (random() % 4 == 0) solid[t] = 0;
     }
   }
   std::vector<std::uint32_t> walls() const {
-    return lacking_walls(cell, solid, kLeast, [this](std::uint32_t t) { return confidence[t]; });
+    return find_walls(cell, solid, kLeast, [this](std::uint32_t t) { return confidence[t]; }).lacking;
   }
 
   std::mt19937 random;
@@ -111,7 +110,7 @@ std::set<std::array<std::size_t, 2>> connected_pairs(const CellComplex& cell, co
 
 TEST_CASE("random cells: walls part just the wide parts of the hull that are not surely connected") {
   int lacking = 0, open = 0;
-  for (std::uint32_t seed = 0; seed < 400; ++seed) {
+  for (std::uint32_t seed = 0; seed < 3000; ++seed) {
     CAPTURE(seed);
     const Scene s(seed);
     const std::vector<std::uint32_t> walls = s.walls();
@@ -137,11 +136,11 @@ TEST_CASE("random cells: walls part just the wide parts of the hull that are not
     open += sure.empty() ? 0 : 1;
   }
   CHECK(lacking > 20);
-  CHECK(open > 20);
+  CHECK(open > 10);
 }
 
 TEST_CASE("random cells: walls do not depend on the numbers of the tetrahedra") {
-  for (std::uint32_t seed = 0; seed < 200; ++seed) {
+  for (std::uint32_t seed = 0; seed < 1000; ++seed) {
     CAPTURE(seed);
     Scene s(seed);
     std::vector<std::uint32_t> from;

@@ -1,4 +1,4 @@
-#include "lacking_walls.h"
+#include "walls.h"
 
 #include <algorithm>
 
@@ -111,31 +111,84 @@ class GrowingOutside {
   std::vector<std::uint32_t> around_;
 };
 
+/// Parts of the outside across facets.
+struct OutsideAcrossFacets {
+  std::vector<std::uint32_t> of;  ///< by tetrahedron, kNone for others
+  std::uint32_t count = 0;
+
+  OutsideAcrossFacets(const CellComplex& complex, const std::vector<std::uint8_t>& outside)
+      : of(outside.size(), kNone) {
+    std::vector<std::uint32_t> stack;
+    for (std::uint32_t start = 0; start < outside.size(); ++start) {
+      if (outside[start] == 0 || of[start] != kNone) continue;
+      of[start] = count++;
+      for (stack.assign(1, start); !stack.empty();) {
+        const std::uint32_t t = stack.back();
+        stack.pop_back();
+        for (const std::uint32_t n : complex.mesh.neighbours[t]) {
+          if (n == kNone || outside[n] == 0 || of[n] != kNone) continue;
+          of[n] = of[start];
+          stack.push_back(n);
+        }
+      }
+    }
+  }
+};
+
+/// By vertex the part that its tetrahedra outside are in; kNone if there are none, kSeveral.
+constexpr std::uint32_t kSeveral = kNone - 1;
+std::vector<std::uint32_t> parts_at_vertices(const CellComplex& complex, const OutsideAcrossFacets& parts) {
+  std::vector<std::uint32_t> at(complex.vertex_count, kNone);
+  for (std::uint32_t t = 0; t < parts.of.size(); ++t) {
+    if (parts.of[t] == kNone) continue;
+    for (const std::uint32_t v : complex.mesh.vertices[t])
+      at[v] = at[v] == kNone || at[v] == parts.of[t] ? parts.of[t] : kSeveral;
+  }
+  return at;
+}
+
+/// Parts can meet only at edges with several of them at both ends: most need not be walked around.
 bool connects_wide_parts(const CellComplex& complex, const HullParts& hull,
                          const std::vector<std::uint8_t>& outside) {
-  GrowingOutside growing(complex, hull);
-  for (std::uint32_t t = 0; t < outside.size(); ++t)
-    if (outside[t] != 0 && !growing.add(t, false)) return true;
+  const OutsideAcrossFacets parts(complex, outside);
+  const std::vector<std::uint32_t> at = parts_at_vertices(complex, parts);
+  DisjointSets sets(hull.count() + parts.count);
+  for (std::uint32_t t = 0; t < outside.size(); ++t) {
+    if (outside[t] == 0) continue;
+    const auto& v = complex.mesh.vertices[t];
+    for (const std::uint32_t part : hull.at(t))
+      if (part != kNone) sets.join(part, hull.count() + parts.of[t]);
+    for (unsigned e = 0; e < 6; ++e) {
+      if (at[v[kEdgeSlots[e][0]]] != kSeveral || at[v[kEdgeSlots[e][1]]] != kSeveral) continue;
+      visit_around_edge(complex.mesh, t, 4 + e, [&](std::uint32_t n, unsigned) {
+        if (outside[n] != 0) sets.join(hull.count() + parts.of[t], hull.count() + parts.of[n]);
+      });
+    }
+  }
+  std::vector<std::uint8_t> has_wide(hull.count(), 0);  // the root of a set with a part of the hull is one
+  for (std::uint32_t part = 0; part < hull.count(); ++part)
+    if (hull.wide()[part] != 0 && has_wide[sets.find(part)]++ != 0) return true;
   return false;
 }
 
 }  // namespace
 
-std::vector<std::uint32_t> lacking_walls(const CellComplex& complex, const std::vector<std::uint8_t>& solid,
-                                         std::int32_t least,
-                                         const std::function<std::int32_t(std::uint32_t)>& confidence) {
+Walls find_walls(const CellComplex& complex, const std::vector<std::uint8_t>& solid, std::int32_t least,
+                 const std::function<std::int32_t(std::uint32_t)>& confidence) {
   const HullParts hull(complex);
-  if (std::count(hull.wide().begin(), hull.wide().end(), 1) < 2) return {};
+  Walls walls;
+  walls.wide_parts =
+      static_cast<std::uint32_t>(std::count(hull.wide().begin(), hull.wide().end(), std::uint8_t{1}));
+  if (walls.wide_parts < 2) return walls;
   std::vector<std::uint8_t> outside(solid.size());
   for (std::uint32_t t = 0; t < solid.size(); ++t) outside[t] = solid[t] == 0 ? 1 : 0;
-  if (!connects_wide_parts(complex, hull, outside)) return {};
+  if (!connects_wide_parts(complex, hull, outside)) return walls;
   std::vector<std::int32_t> negative(solid.size());
   for (std::uint32_t t = 0; t < solid.size(); ++t)
     if (outside[t] != 0) negative[t] = -confidence(t);
   GrowingOutside growing(complex, hull);
-  std::vector<std::uint32_t> walls;
   for (const std::uint32_t t : by_confidence(complex, outside, negative))
-    if (!growing.add(t, -negative[t] < least)) walls.push_back(t);
+    if (!growing.add(t, -negative[t] < least)) walls.lacking.push_back(t);
   return walls;
 }
 
