@@ -77,6 +77,7 @@ Json to_json(const TopologyReport& t) {
           {"weakest_join", t.weakest_join},
           {"bodies_joined", t.bodies_joined},
           {"walls_opened", t.walls_opened},
+          {"spikes_dropped", t.spikes_dropped},
           {"bridges", t.bridges},
           {"bridge_handles", t.bridge_handles},
           {"open_edges", t.open_edges},

@@ -13,6 +13,8 @@ void print_topology(Terminal& terminal, const TopologyReport& t) {
   if (t.bodies_joined != 0 || t.walls_opened != 0)
     terminal.print("second look  %u small bodies joined, %u walls of cavities opened\n", t.bodies_joined,
                    t.walls_opened);
+  if (t.spikes_dropped != 0)
+    terminal.print("spikes       %u dropped, where a body ends beside others\n", t.spikes_dropped);
   if (t.bridges != 0 || t.open_edges != 0)
     terminal.print("bridges      at %u edges within sections, with %u handles; %u left pinched\n", t.bridges,
                    t.bridge_handles, t.open_edges);

@@ -62,7 +62,8 @@ class NaturalPruning {
     if (doubts) decide_joins(r1, body_in_r1, cheapest, result);
     if (!requests_.joined.empty()) join_alone(r1, cheapest, result);
     if (!requests_.dropped.empty()) {
-      for (const TetName& tet : requests_.dropped) drop_body(complex_, ground_, tet, result.kept);
+      for (const TetName& tet : requests_.dropped)
+        report.dropped += drop_body(complex_, ground_, tet, result.kept) ? 1U : 0U;
       report.after = count_topology(complex_, ground_, result.kept);
     } else if (report.after.bodies > 1) {
       report.spikes = spikes(result.kept);

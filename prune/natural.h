@@ -48,6 +48,7 @@ struct NaturalReport {
                               ///< where sections touch in a point (CellTopology::outsides)
   std::uint32_t joined_alone = 0;   ///< joins by request, of bodies that were alone
   std::uint32_t opened = 0;         ///< requests to leave open that came true
+  std::uint32_t dropped = 0;        ///< spikes, by request
   std::vector<Spike> spikes;        ///< kept, as they may be all that the section has
 };
 
@@ -57,7 +58,7 @@ struct CellRequests {
   std::vector<TetName> joined;  ///< bodies to be joined with what they most likely belong to
   std::vector<OpenRequest> opened;
   std::vector<TetName> dropped;  ///< of spikes, whose sections need none
-  bool walls = true;    ///< those that the sections ask for are built
+  bool walls = true;             ///< those that the sections ask for are built
   bool handles = true;  ///< those that the sections ask for may come
   CancelFlag cancel = nullptr;  ///< once it is raised the result comes soon, and means nothing
 };

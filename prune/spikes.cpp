@@ -52,14 +52,15 @@ std::vector<Spike> find_spikes(const CellComplex& complex, const Ground& ground,
   return list;
 }
 
-void drop_body(const CellComplex& complex, const Ground& ground, const TetName& tet,
+bool drop_body(const CellComplex& complex, const Ground& ground, const TetName& tet,
                std::vector<std::uint8_t>& kept) {
   const std::uint32_t start = tet_of_name(complex.mesh, tet);
-  if (start == kNone || kept[start] == 0) return;
+  if (start == kNone || kept[start] == 0) return false;
   Bodies bodies(complex, ground, kept);  // known from here on, whatever goes
   const std::uint32_t body = bodies.of_tet(start);
   for (std::uint32_t t = 0; t < kept.size(); ++t)
     if (kept[t] != 0 && bodies.of_tet(t) == body) kept[t] = 0;
+  return true;
 }
 
 }  // namespace crossloft

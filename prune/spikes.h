@@ -29,8 +29,8 @@ std::vector<Spike> find_spikes(const CellComplex& complex, const Ground& ground,
                                const std::vector<std::uint8_t>& kept, std::int32_t limit,
                                const std::function<std::int32_t(std::uint32_t)>& confidence);
 
-/// Takes away the body that the tetrahedron is part of, if that is kept. Its section is bare then.
-void drop_body(const CellComplex& complex, const Ground& ground, const TetName& tet,
+/// Takes away the body that the tetrahedron is part of; its section is bare then. False if that is not kept.
+bool drop_body(const CellComplex& complex, const Ground& ground, const TetName& tet,
                std::vector<std::uint8_t>& kept);
 
 }  // namespace crossloft

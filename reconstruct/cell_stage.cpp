@@ -84,6 +84,7 @@ void add_up(const CellReport& cell, TopologyReport& sum) {
   sum.voids += cell.topology.voids;
   sum.bodies_joined += cell.joined_alone;
   sum.walls_opened += cell.opened;
+  sum.spikes_dropped += cell.dropped;
   for (const JoinReport& join : cell.joins) {
     ++(join.done ? sum.joins : sum.refused_joins);
     if (join.done) sum.weakest_join = std::min(sum.weakest_join, join.confidence);
@@ -150,6 +151,7 @@ void Pipeline::report_topology(const BuiltCell& cell, const NaturalReport& natur
   report.grown = natural.grown;
   report.joined_alone = natural.joined_alone;
   report.opened = natural.opened;
+  report.dropped = natural.dropped;
   report.joins.clear();
   report.domes.clear();
   for (const Join& j : natural.joins)

@@ -49,6 +49,7 @@ struct CellReport {
   bool grown = false;              ///< mode natural: growth had to decide
   std::uint32_t joined_alone = 0;  ///< by the second look, mode natural
   std::uint32_t opened = 0;        ///< walls of cavities, by the second look
+  std::uint32_t dropped = 0;       ///< spikes (prune/spikes.h), mode natural
   std::vector<JoinReport> joins;   ///< mode natural
   std::vector<double> domes;       ///< confidences of the walls and domes that growth closed
 };
@@ -66,6 +67,7 @@ struct TopologyReport {
   std::uint32_t grown_cells = 0;
   std::uint32_t bodies_joined = 0;  ///< small ones that nothing was joined with in any cell
   std::uint32_t walls_opened = 0;   ///< of cavities that one plane has seen or whose walls were not sure
+  std::uint32_t spikes_dropped = 0;  ///< where a body ended in a tip that led far away
   std::uint32_t bridges = 0;        ///< edges within sections at which a bridge was built
   std::uint32_t bridge_handles = 0;  ///< handles that bridges have made instead of slits
   /// Of the edges that no cell holds together, those that stay pinched. Wedges of a cell's solid that reach

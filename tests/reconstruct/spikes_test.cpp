@@ -55,6 +55,7 @@ TEST_CASE("a body that ends ends flat, however far what goes on is") {
     CHECK(report.components.size() == 2);
     CHECK(report.genus == 0);
     CHECK(r.report.flat_area == 0);
+    CHECK(r.report.topology.spikes_dropped == 2);
     const double prism = kApart * 12 * std::sin(M_PI / 6) / 2 * 4;
     const double column = 7 * kApart * 60 * std::sin(M_PI / 30) / 2 * 400;
     CHECK(r.report.volume == doctest::Approx(column + prism).epsilon(1e-9));
@@ -65,6 +66,7 @@ TEST_CASE("a section in one plane alone keeps one spike, rather than to be flat"
   const Reconstruction r = rebuilt(column_and_short_one(60, 3, 3));
   CHECK(check_surface(r.surface).components.size() == 2);
   CHECK(r.report.flat_area == 0);
+  CHECK(r.report.topology.spikes_dropped == 1);
   const double area = 12 * std::sin(M_PI / 6) / 2 * 4,
                column = 7 * kApart * 60 * std::sin(M_PI / 30) / 2 * 400;
   CHECK(r.report.volume == doctest::Approx(column + kApart * area / 3).epsilon(1e-9));
