@@ -28,15 +28,6 @@ bool is_wall(const ContourEdge& e) { return (e.material_a == 0) != (e.material_b
 
 double largest(Vec3 v) { return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}); }
 
-/// Length without overflow of the squares.
-double safe_norm(Vec3 v) {
-  const double m = largest(v);
-  if (m == 0 || !std::isfinite(m)) return m;
-  int e = 0;
-  std::frexp(m, &e);
-  return std::ldexp(norm({std::ldexp(v.x, -e), std::ldexp(v.y, -e), std::ldexp(v.z, -e)}), e);
-}
-
 /// Contour and line of the first edge at a vertex, for messages.
 const ContourEdge* edge_at(const PlaneSection& plane, std::uint32_t vertex) {
   for (const ContourEdge& e : plane.edges)
@@ -139,7 +130,7 @@ Bounds extent_of(std::span<const WallSection> sections) {
 /// Where nothing is left, what has been dropped tells the size.
 void measure(const Bounds& extent, NormalisedSections& out) {
   if (!extent.empty()) out.extent = extent;
-  out.diagonal = diagonal_of(out.extent);
+  out.diagonal = out.extent.diagonal();
 }
 
 /// The wall at a vertex that comes first in the file. REQUIRES: there is one.
@@ -204,11 +195,11 @@ bool has_no_area(const WallSection& s, Contour contour, double diagonal) {
   Vec3 along;
   double length = 0;
   for (const std::uint32_t v : ends)
-    if (const double l = safe_norm(s.vertices[v] - a); l > length) length = l, along = s.vertices[v] - a;
+    if (const double l = norm(s.vertices[v] - a); l > length) length = l, along = s.vertices[v] - a;
   if (length <= width) return true;
   const Vec3 unit = {along.x / length, along.y / length, along.z / length};
   return std::all_of(ends.begin(), ends.end(),
-                     [&](std::uint32_t v) { return safe_norm(cross(unit, s.vertices[v] - a)) <= width; });
+                     [&](std::uint32_t v) { return norm(cross(unit, s.vertices[v] - a)) <= width; });
 }
 
 void warn_of_dropped(const std::vector<std::uint32_t>& before, const WallSection& s,
@@ -252,8 +243,6 @@ void note_materials(const Sections& in, std::vector<std::string>& notes) {
 }
 
 }  // namespace
-
-double diagonal_of(const Bounds& box) { return box.empty() ? 0 : safe_norm(box.high - box.low); }
 
 void drop_flat(WallSection& s, double diagonal) {
   std::vector<const WallEdge*> walls;

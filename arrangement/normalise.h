@@ -38,9 +38,6 @@ Result<NormalisedSections> normalise(const Sections& sections, double plane_tole
 /// O(v log v).
 Result<std::vector<WallSection>> walls_of(const Sections& sections);
 
-/// Of a box, without overflow of the squares; 0 if it is empty.
-double diagonal_of(const Bounds& box);
-
 /// Drops contours that have no area in data with this diagonal: those so near to one line that frames can't
 /// tell. O(w log w) for w walls.
 void drop_flat(WallSection& section, double diagonal);
