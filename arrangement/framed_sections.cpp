@@ -334,6 +334,8 @@ Result<FramedSections> frame_sections(const Sections& in, double plane_tolerance
     return out;
   }
   out.grid = WorldGrid(normalised->extent.low, normalised->extent.high);
+  if (out.grid.unit() == 0)
+    return Error{ErrorCode::too_large, "all contours together are smaller than some 1e-309", in.source};
   if (!out.grid.exact())
     out.notes.push_back(
         "the data are far from the origin for their size: coordinates are rounded when written");

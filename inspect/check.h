@@ -49,7 +49,9 @@ struct CheckReport {
   std::vector<ComponentReport> components;  ///< by first triangle
   std::uint32_t cavities = 0, inverted = 0;
   std::int64_t genus = 0;       ///< sum over the components
-  double volume = 0, area = 0;  ///< signed volume and area of the whole
+  /// Signed volume and area of the whole. Doubles have no volume of sizes beyond 1e102 or below 1e-107 and no
+  /// area of those beyond 1e154 or below 1e-161: there they are infinite, not a number or 0.
+  double volume = 0, area = 0;
 
   bool closed() const {
     return open_edges == 0 && crowded_edges == 0 && repeated_indices == 0 && bad_indices == 0;

@@ -61,6 +61,7 @@ StackFrame frame_of(const LatticeVector& direction, const Bounds& box) {
   const double diagonal = box.diagonal();
   if (diagonal == 0) return {unit, {}};  // frames make nothing of it
   const WorldGrid grid(box.low, box.high);
+  if (grid.unit() == 0) return {unit, {}};  // an error of frames
   const double radius = std::ceil(diagonal / grid.unit() / 2);
   const Vec3 fitted = unit_of(fit_normal(direction, static_cast<std::int64_t>(radius)));
   return {fitted, grid.from_lattice(LatticePoint{}), norm(cross(unit, fitted))};

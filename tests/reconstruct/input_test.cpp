@@ -45,6 +45,21 @@ TEST_CASE("sizes from 1e-12 to 1e12 work") {
   for (const double scale : {1e-12, 1e-3, 1e3, 1e12}) check_good(stack(scale));
 }
 
+TEST_CASE("areas are right where their squares leave the doubles") {
+  for (const double scale : {1e80, 1e-85}) {
+    CAPTURE(scale);
+    const auto r = reconstruct(stack(scale));
+    REQUIRE(r.ok());
+    const double unit = scale * scale, whole = check_surface(r->surface).area / unit;
+    CHECK(r->report.section_area / unit == doctest::Approx(9));  // each 12-gon has 3
+    CHECK(whole == doctest::Approx(check_surface(reconstruct(stack())->surface).area));
+  }
+}
+
+TEST_CASE("contours that are smaller than the grid can be are refused") {
+  CHECK(error_of(stack(1e-310)) == ErrorCode::too_large);
+}
+
 TEST_CASE("repeated vertices, collinear runs and an empty plane work") {
   Sections s = stack();
   add_contour(s.planes[0], {{5, 5, 0}, {6, 5, 0}, {6, 5, 0}, {7, 5, 0}, {7, 6, 0}, {5, 6, 0}}, 1);
