@@ -103,7 +103,8 @@ struct SectionCheck {
 /// of the squared diagonal; a vertex that is within `on_plane` by chance adds at most that height times the
 /// cotangent of its slope. Distances are sampled at steps of 1/512 of the section's diagonal and at all
 /// vertices; pieces of a boundary shorter than 1e-8 of it are not judged.
-/// O((n + s) log s) a plane for n triangles and s boundary segments. Planes with a zero normal report zeros.
+/// O((n + s) log s) a plane for n triangles and s boundary segments. Planes whose normal is 0 or not finite
+/// report zeros; triangles and edges that name a point that is not there are left out.
 SectionCheck check_sections(const Surface& surface, const Sections& sections,
                             const SectionCheckOptions& options = {});
 

@@ -70,6 +70,7 @@ class PlaneJudge {
       projected_.push_back(q);
     }
     for (const auto& t : surface_.triangles) {
+      if (*std::max_element(t.begin(), t.end()) >= projected_.size()) continue;
       const auto [low, high] = std::minmax({projected_[t[0]].z, projected_[t[1]].z, projected_[t[2]].z});
       if (low <= 0 && high > 0) add_chord(t, kUpperSlice);
       if (low < 0 && high >= 0) add_chord(t, kLowerSlice);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../arrangement/normalise.h"
 #include "../geom/failing.h"
 #include "pipeline.h"
 #include "self_check.h"

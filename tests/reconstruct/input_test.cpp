@@ -101,6 +101,24 @@ TEST_CASE("one plane, or only empty ones: an empty surface and a word why") {
   check_empty(between);
 }
 
+TEST_CASE("a part of a file needs the positions of its planes and an extent that holds it") {
+  Sections part = stack();
+  Bounds whole;
+  for (const PlaneSection& p : part.planes) whole.join(bounds_of(p.vertices));
+  part.part_of = PartOf{{4, 5, 6}, whole, whole};
+  check_good(part);
+  Bounds less = whole;
+  less.high.z = 0.5;
+  for (const PartOf& bad :
+       {PartOf{{4, 5, 6}, less, whole}, PartOf{{4, 5, 6}, whole, less}, PartOf{{4}, whole, whole}}) {
+    part.part_of = bad;
+    CHECK(error_of(part) == ErrorCode::usage);
+  }
+  Options options;
+  options.joins.resize(1);
+  CHECK(reconstruct(part, options).error().code == ErrorCode::usage);
+}
+
 TEST_CASE("what can't be read as sections is an error that names the place") {
   CHECK(error_of({}) == ErrorCode::no_plane);
   Sections s = stack();
