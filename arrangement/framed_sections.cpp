@@ -318,9 +318,13 @@ void tell_of_coincidences(const PlaneFrames& frames, FramedSections& out) {
 
 }  // namespace
 
+Result<Done> check_plane_tolerance(double tolerance) {
+  if (tolerance >= 0 && tolerance <= 0.1) return Done{};
+  return make_error(ErrorCode::usage, "the plane tolerance must be between 0 and 0.1");
+}
+
 Result<FramedSections> frame_sections(const Sections& in, double plane_tolerance, const Context& context) {
-  if (!(plane_tolerance >= 0 && plane_tolerance <= 0.1))
-    return Error{ErrorCode::usage, "the plane tolerance must be between 0 and 0.1", in.source};
+  if (auto good = check_plane_tolerance(plane_tolerance); !good) return good.error();
   Result<NormalisedSections> normalised = normalise(in, plane_tolerance, context);
   if (!normalised) return normalised.error();
 

@@ -49,6 +49,9 @@ struct FramedSections {
 inline constexpr const char* kNoContour = "no section has a contour";
 inline constexpr const char* kNoWideContour = "no contour is wide enough to be told from a line";
 
+/// That it is a fraction of the diagonal that frame_sections() takes. Error: usage.
+Result<Done> check_plane_tolerance(double tolerance);
+
 /// Checks the sections and brings them into the exact model.
 ///
 /// Walls are the edges with exactly one material 0; edges of equal coordinates cancel in pairs. Contours with

@@ -36,7 +36,7 @@ class StackBuilder {
 
   Result<StackReport> run() {
     Stopwatch watch;
-    if (auto good = check_options(); !good) return good.error();
+    if (auto good = check_stack_options(); !good) return good.error();
     auto planes = survey(source_, context_);
     if (!planes) return planes.error();
     planes_ = std::move(planes).value();
@@ -50,7 +50,8 @@ class StackBuilder {
   }
 
  private:
-  Result<Done> check_options() const {
+  Result<Done> check_stack_options() const {
+    if (auto good = check_options(options_.options); !good) return good;
     const NaturalOptions& natural = options_.options.natural;
     if (natural.divide == InCells::all || natural.look_around == InCells::all)
       return make_error(

@@ -468,6 +468,15 @@ TEST_CASE("What can't be streamed is an error with its place") {
   all.options.natural = {};
   all.options.natural.look_around = InCells::all;
   CHECK(error_of(all).code == ErrorCode::usage);
+  Sections empty;
+  empty.planes.push_back({{0, 0, 1}, 0, {}, {}, 0});
+  for (double Options::*tolerance : {&Options::match_tolerance, &Options::plane_tolerance}) {
+    StackOptions negative;
+    negative.options.*tolerance = -1;
+    CHECK(error_of(negative).code == ErrorCode::usage);
+    Source source(empty);
+    CHECK(reconstruct_stack(source, sink, negative).error().code == ErrorCode::usage);
+  }
   StackOptions unknown;
   unknown.options.joins.push_back({99, 0, 1, 0, true});
   CHECK(error_of(unknown).code == ErrorCode::usage);
