@@ -10,7 +10,8 @@ namespace crossloft {
 enum class LogLevel : unsigned char { note, warning };
 
 struct Context {
-  /// Called from the calling thread only, never concurrently.
+  /// Called from the calling thread only, never concurrently. Hears all that a report of the operation has as
+  /// notes and warnings, each once. What a callback throws: README.md, "Memory".
   std::function<void(LogLevel, std::string_view)> log;
   /// Stage name and the fraction of it that is done, 0..1; from the calling thread only.
   std::function<void(std::string_view stage, double fraction)> progress;

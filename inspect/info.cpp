@@ -87,6 +87,8 @@ Result<SectionsInfo> examine(const Sections& sections, double plane_tolerance, c
     info.common_points = framed->common_points;
     info.notes = framed->notes;
     info.warnings = framed->warnings;
+    for (const std::string& text : info.notes) context.note(text);
+    for (const std::string& text : info.warnings) context.warn(text);
     std::set<LatticeVector> normals;
     bool first = true;
     for (const FramedPlane& plane : framed->planes) {

@@ -85,8 +85,8 @@ Result<Done> Pipeline::frame() {
   framed_ = std::move(framed).value();
   Report& report = result_.report;
   report.diagonal = framed_.diagonal;
-  report.notes = framed_.notes;
-  report.warnings = framed_.warnings;
+  for (const std::string& text : framed_.notes) note(text);
+  for (const std::string& text : framed_.warnings) warn(text);
   for (const FramedPlane& plane : framed_.planes) {
     report.displacement = std::max(report.displacement, plane.displacement);
     report.off_plane = std::max(report.off_plane, plane.off_plane);

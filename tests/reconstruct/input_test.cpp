@@ -76,6 +76,23 @@ TEST_CASE("contours without area are dropped with a warning") {
   CHECK(hash(*r) == hash(*reconstruct(stack())));
 }
 
+TEST_CASE("the log hears all notes and warnings of the report, each once") {
+  Sections s = stack();
+  s.planes.push_back(s.planes[1]);                      // a note of the frames
+  add_contour(s.planes[1], {{5, 5, 1}, {6, 6, 1}}, 1);  // a warning of theirs
+  std::vector<std::string> notes, warnings;
+  Context context;
+  context.log = [&](LogLevel level, std::string_view text) {
+    (level == LogLevel::note ? notes : warnings).emplace_back(text);
+  };
+  const auto r = reconstruct(s, {}, context);
+  REQUIRE(r.ok());
+  CHECK_FALSE(notes.empty());
+  CHECK_FALSE(warnings.empty());
+  CHECK(notes == r->report.notes);
+  CHECK(warnings == r->report.warnings);
+}
+
 TEST_CASE("equal planes with equal or disjoint sections are one plane") {
   Sections twice = stack();
   twice.planes.push_back(twice.planes[1]);

@@ -514,9 +514,19 @@ TEST_CASE("Warnings about a plane name its place in the file, once") {
   plane.vertices.insert(plane.vertices.end(), {p, p + Vec3{0.1, 0, 0}});
   plane.edges.push_back({v, v + 1, 1, 0, 77, 0});
   plane.edges.push_back({v + 1, v, 1, 0, 77, 0});
-  const Streamed parts = streamed(sections);
-  CHECK(std::count(parts.report.warnings.begin(), parts.report.warnings.end(),
-                   "plane 25, contour 77: dropped, it encloses no area") == 1);
+  Source source(sections);
+  Sink sink;
+  std::vector<std::string> notes, warnings;
+  Context context;
+  context.log = [&](LogLevel level, std::string_view text) {
+    (level == LogLevel::note ? notes : warnings).emplace_back(text);
+  };
+  const auto report = reconstruct_stack(source, sink, {{}, 1}, context);
+  REQUIRE(report.ok());
+  CHECK(std::count(warnings.begin(), warnings.end(), "plane 25, contour 77: dropped, it encloses no area") ==
+        1);
+  CHECK(notes == report->notes);
+  CHECK(warnings == report->warnings);
 }
 
 TEST_CASE("The sink's failure ends it") {
