@@ -34,6 +34,17 @@ std::vector<std::uint32_t> insertion_order(std::span<const LatticePlane> planes)
 
 Error cancelled() { return {ErrorCode::cancelled, "cancelled while inserting planes", {}}; }
 
+constexpr std::int64_t kBoxLimit = kLatticeLimit / 2;
+
+Result<Done> check_box(const LatticeBox& box) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (box.lower[k] >= box.upper[k]) return make_error(ErrorCode::usage, "the box is empty");
+    if (box.lower[k] < -kBoxLimit || box.upper[k] > kBoxLimit)
+      return make_error(ErrorCode::too_large, "the box reaches beyond 2^49 units");
+  }
+  return Done{};
+}
+
 }  // namespace
 
 LatticeBox centred_box(std::int64_t bound) { return {{-bound, -bound, -bound}, {bound, bound, bound}}; }
@@ -75,6 +86,7 @@ Location Arrangement::locate(const LatticePoint& p) const {
 
 Result<Arrangement> build_arrangement(std::span<const LatticePlane> planes, const LatticeBox& box,
                                       LatticePointStore& store, const Context& context) {
+  if (auto good = check_box(box); !good) return good.error();
   std::vector<LatticePlane> all(planes.begin(), planes.end());
   for (int axis = 0; axis < 3; ++axis) {
     all.push_back(make_axis_plane(axis, box.lower[static_cast<std::size_t>(axis)]));

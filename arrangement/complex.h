@@ -30,7 +30,7 @@ namespace crossloft {
 using ArrVertexId = Id<struct ArrVertexTag>;  ///< a vertex of the arrangement
 using ArrEdgeId = Id<struct ArrEdgeTag>;      ///< an edge of the arrangement
 
-/// { lower <= x <= upper } per axis, in lattice units. REQUIRES: lower < upper, |bounds| <= 2^49.
+/// { lower <= x <= upper } per axis, in lattice units; lower < upper and |bounds| <= 2^49.
 struct LatticeBox {
   LatticeVector lower{}, upper{};
 };
@@ -160,7 +160,8 @@ class Arrangement {
 
 /// The arrangement of `planes` inside `box`. New points go to `store`, which must outlive the result.
 /// REQUIRES: planes distinct as point sets; box as said there.
-/// Errors: cancelled; too_large (over 2^30 pairs of a face and its edge, or a box beyond its limit).
+/// Errors: cancelled; usage for an empty box; too_large (over 2^30 pairs of a face and its edge, or a box
+/// beyond its limit).
 /// Planes are inserted one by one in a canonical order. O(1) work a new cell on average, and one side test
 /// for every vertex and inserted plane: k planes in general position make O(k^3) elements in O(k^4) such
 /// tests.

@@ -325,9 +325,13 @@ PlaneSection plane_in_input(const LatticePlane& plane, const WorldGrid& grid) {
   return section;
 }
 
+Result<Done> check_plane_tolerance(double tolerance) {
+  if (tolerance >= 0 && tolerance <= 0.1) return Done{};
+  return make_error(ErrorCode::usage, "the plane tolerance must be between 0 and 0.1");
+}
+
 Result<FramedSections> frame_sections(const Sections& in, double plane_tolerance, const Context& context) {
-  if (!(plane_tolerance >= 0 && plane_tolerance <= 0.1))
-    return Error{ErrorCode::usage, "the plane tolerance must be between 0 and 0.1", in.source};
+  if (auto good = check_plane_tolerance(plane_tolerance); !good) return good.error();
   Result<NormalisedSections> normalised = normalise(in, plane_tolerance, context);
   if (!normalised) return normalised.error();
 
@@ -341,6 +345,8 @@ Result<FramedSections> frame_sections(const Sections& in, double plane_tolerance
     return out;
   }
   out.grid = WorldGrid(normalised->extent.low, normalised->extent.high);
+  if (out.grid.unit() == 0)
+    return Error{ErrorCode::too_large, "all contours together are smaller than some 1e-309", in.source};
   if (!out.grid.exact())
     out.notes.push_back(
         "the data are far from the origin for their size: coordinates are rounded when written");

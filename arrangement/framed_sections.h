@@ -52,6 +52,9 @@ PlaneSection plane_in_input(const LatticePlane& plane, const WorldGrid& grid);
 inline constexpr const char* kNoContour = "no section has a contour";
 inline constexpr const char* kNoWideContour = "no contour is wide enough to be told from a line";
 
+/// That it is a fraction of the diagonal that frame_sections() takes. Error: usage.
+Result<Done> check_plane_tolerance(double tolerance);
+
 /// Checks the sections and brings them into the exact model.
 ///
 /// Walls are the edges with exactly one material 0; edges of equal coordinates cancel in pairs. Contours with
@@ -67,8 +70,9 @@ inline constexpr const char* kNoWideContour = "no contour is wide enough to be t
 /// ends of `walls` (normals up to the rounding of the file's own numbers).
 ///
 /// `plane_tolerance`, 0..0.1: a vertex further than this fraction of the diagonal from its plane is an error.
-/// Errors: usage (tolerance), no_plane, not_finite, zero_normal, index_out_of_range, off_plane, open_chain,
-/// contradicting_planes, cancelled; each with file, line, plane and contour where they apply.
+/// Errors: usage (tolerance, part_of), no_plane, not_finite, zero_normal, index_out_of_range, off_plane,
+/// open_chain, contradicting_planes, too_large (data smaller than some 1e-309, where the grid would be finer
+/// than doubles), cancelled; each with file, line, plane and contour where they apply.
 /// O(v log v + k^3) for v vertices and k planes that are not parallel; the arrangement of k planes is as
 /// large.
 Result<FramedSections> frame_sections(const Sections& sections, double plane_tolerance,

@@ -28,42 +28,11 @@ bool is_wall(const ContourEdge& e) { return (e.material_a == 0) != (e.material_b
 
 double largest(Vec3 v) { return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}); }
 
-/// Length without overflow of the squares.
-double safe_norm(Vec3 v) {
-  const double m = largest(v);
-  if (m == 0 || !std::isfinite(m)) return m;
-  int e = 0;
-  std::frexp(m, &e);
-  return std::ldexp(norm({std::ldexp(v.x, -e), std::ldexp(v.y, -e), std::ldexp(v.z, -e)}), e);
-}
-
 /// Contour and line of the first edge at a vertex, for messages.
 const ContourEdge* edge_at(const PlaneSection& plane, std::uint32_t vertex) {
   for (const ContourEdge& e : plane.edges)
     if (e.a == vertex || e.b == vertex) return &e;
   return nullptr;
-}
-
-Result<Done> check_numbers(const Sections& in) {
-  for (std::uint32_t i = 0; i < in.planes.size(); ++i) {
-    const PlaneSection& p = in.planes[i];
-    if (!is_finite(p.normal) || !std::isfinite(p.offset))
-      return error_at(ErrorCode::not_finite, "the plane's coefficients are not finite", in, i);
-    if (p.normal == Vec3{}) return error_at(ErrorCode::zero_normal, "the plane's normal is zero", in, i);
-    for (const ContourEdge& e : p.edges)
-      if (std::max(e.a, e.b) >= p.vertices.size())
-        return error_at(ErrorCode::index_out_of_range,
-                        "an edge names vertex " + std::to_string(std::max(e.a, e.b)) + " of " +
-                            std::to_string(p.vertices.size()),
-                        in, i, e.contour, e.line);
-    for (std::uint32_t v = 0; v < p.vertices.size(); ++v)
-      if (!is_finite(p.vertices[v])) {
-        const ContourEdge* e = edge_at(p, v);
-        return error_at(ErrorCode::not_finite, "vertex " + std::to_string(v) + " is not finite", in, i,
-                        e ? e->contour : kNone, e ? e->line : 0);
-      }
-  }
-  return Done{};
 }
 
 /// Puts the different ones of `all` into `distinct`, in order; returns where each of `all` is there.
@@ -136,10 +105,22 @@ Bounds extent_of(std::span<const WallSection> sections) {
   return extent;
 }
 
-/// Where nothing is left, what has been dropped tells the size.
-void measure(const Bounds& extent, NormalisedSections& out) {
+bool holds(const Bounds& box, const Bounds& other) {
+  Bounds both = box;
+  both.join(other);
+  return both.low == box.low && both.high == box.high;
+}
+
+/// The extent that the sections have, or the whole file if they are a part of it: `whole` is what it says.
+/// Where nothing is left, what has been dropped tells the size. Error: usage for a part beyond the whole.
+Result<Done> measure(const Sections& in, const Bounds PartOf::*whole, NormalisedSections& out) {
+  const Bounds own = extent_of(out.sections), extent = in.part_of ? (*in.part_of).*whole : own;
+  if (!holds(extent, own))
+    return Error{ErrorCode::usage, "a part of a file reaches beyond the extent that is given for the file",
+                 in.source};
   if (!extent.empty()) out.extent = extent;
-  out.diagonal = diagonal_of(out.extent);
+  out.diagonal = out.extent.diagonal();
+  return Done{};
 }
 
 /// The wall at a vertex that comes first in the file. REQUIRES: there is one.
@@ -204,11 +185,11 @@ bool has_no_area(const WallSection& s, Contour contour, double diagonal) {
   Vec3 along;
   double length = 0;
   for (const std::uint32_t v : ends)
-    if (const double l = safe_norm(s.vertices[v] - a); l > length) length = l, along = s.vertices[v] - a;
+    if (const double l = norm(s.vertices[v] - a); l > length) length = l, along = s.vertices[v] - a;
   if (length <= width) return true;
   const Vec3 unit = {along.x / length, along.y / length, along.z / length};
   return std::all_of(ends.begin(), ends.end(),
-                     [&](std::uint32_t v) { return safe_norm(cross(unit, s.vertices[v] - a)) <= width; });
+                     [&](std::uint32_t v) { return norm(cross(unit, s.vertices[v] - a)) <= width; });
 }
 
 /// The contours without area, ascending.
@@ -294,7 +275,35 @@ std::string note_of_materials(std::size_t count) {
   return "the sections have " + std::to_string(count) + " materials: inside is any of them";
 }
 
-double diagonal_of(const Bounds& box) { return box.empty() ? 0 : safe_norm(box.high - box.low); }
+double diagonal_of(const Bounds& box) { return box.empty() ? 0 : norm(box.high - box.low); }
+
+Result<Done> check_part(const Sections& in) {
+  if (!in.part_of || in.part_of->positions.size() == in.planes.size()) return Done{};
+  return Error{ErrorCode::usage, "a part of a file needs the position of each of its planes", in.source};
+}
+
+Result<Done> check_numbers(const Sections& in) {
+  if (Result<Done> ok = check_part(in); !ok) return ok;
+  for (std::uint32_t i = 0; i < in.planes.size(); ++i) {
+    const PlaneSection& p = in.planes[i];
+    if (!is_finite(p.normal) || !std::isfinite(p.offset))
+      return error_at(ErrorCode::not_finite, "the plane's coefficients are not finite", in, i);
+    if (p.normal == Vec3{}) return error_at(ErrorCode::zero_normal, "the plane's normal is zero", in, i);
+    for (const ContourEdge& e : p.edges)
+      if (std::max(e.a, e.b) >= p.vertices.size())
+        return error_at(ErrorCode::index_out_of_range,
+                        "an edge names vertex " + std::to_string(std::max(e.a, e.b)) + " of " +
+                            std::to_string(p.vertices.size()),
+                        in, i, e.contour, e.line);
+    for (std::uint32_t v = 0; v < p.vertices.size(); ++v)
+      if (!is_finite(p.vertices[v])) {
+        const ContourEdge* e = edge_at(p, v);
+        return error_at(ErrorCode::not_finite, "vertex " + std::to_string(v) + " is not finite", in, i,
+                        e ? e->contour : kNone, e ? e->line : 0);
+      }
+  }
+  return Done{};
+}
 
 void drop_flat(WallSection& s, double diagonal) {
   const std::vector<std::uint32_t> flat = flat_contours(s, diagonal);
@@ -398,7 +407,7 @@ Result<NormalisedSections> normalise(const Sections& in, double plane_tolerance,
   auto collected = collect_all(in, contours, context);
   if (!collected) return collected.error();
   out.sections = std::move(collected).value();
-  measure(in.part_of ? in.part_of->extent : extent_of(out.sections), out);
+  if (auto good = measure(in, &PartOf::extent, out); !good) return good.error();
   std::vector<std::vector<std::string>> warnings(in.planes.size());
   const auto checked = for_all(in.planes.size(), context, "sections", [&](std::size_t i) -> Result<Done> {
     WallSection& s = out.sections[i];
@@ -411,7 +420,8 @@ Result<NormalisedSections> normalise(const Sections& in, double plane_tolerance,
   });
   if (!checked) return checked.error();
   for (const auto& list : warnings) out.warnings.insert(out.warnings.end(), list.begin(), list.end());
-  measure(in.part_of ? in.part_of->wide : extent_of(out.sections), out);  // without what has been dropped
+  // Without what has been dropped.
+  if (auto good = measure(in, &PartOf::wide, out); !good) return good.error();
   return out;
 }
 

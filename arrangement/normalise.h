@@ -29,6 +29,13 @@ struct NormalisedSections {
   std::vector<std::string> notes, warnings;
 };
 
+/// That `part_of`, if it is set, has a position for each plane. Error: usage.
+Result<Done> check_part(const Sections& sections);
+
+/// That planes have a direction, numbers are finite and edges name vertices that are there. Errors: usage
+/// (check_part), not_finite, zero_normal, index_out_of_range, with their place.
+Result<Done> check_numbers(const Sections& sections);
+
 /// Checks the input and reduces it to walls, as frame_sections() says; see there for the errors.
 /// O(v log v) for v vertices and edges; planes on several threads. Error cancelled.
 Result<NormalisedSections> normalise(const Sections& sections, double plane_tolerance,

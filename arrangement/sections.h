@@ -34,7 +34,7 @@ struct PlaneSection {
 
 /// What some sections are part of: they are framed as if the rest were there.
 struct PartOf {
-  std::vector<std::uint32_t> positions;   ///< by plane of the part: its position in the file
+  std::vector<std::uint32_t> positions;   ///< for each plane of the part: its position in the file
   Bounds extent;                          ///< of all walls of the file, also of contours without area
   Bounds wide = {};                       ///< of those that have one; if none has, of all
   /// Of quantise_direction(): that all planes of the file have, if they are a stack.

@@ -66,8 +66,6 @@ ExitCode run(const Arguments& arguments) {
   if (!sections) return terminal.fail(sections.error());
   const auto info = examine(*sections, arguments.plane_tolerance, context);
   if (!info) return terminal.fail(info.error());
-  for (const std::string& note : info->notes) terminal.say(LogLevel::note, note);
-  for (const std::string& warning : info->warnings) terminal.say(LogLevel::warning, warning);
   print_contents(terminal, *info);
   print_agreement(terminal, *info);
   print_planes(terminal, *info);

@@ -24,8 +24,6 @@ void print_topology(Terminal& terminal, const TopologyReport& t) {
 }  // namespace
 
 void print_summary(Terminal& terminal, const Report& report) {
-  for (const std::string& note : report.notes) terminal.say(LogLevel::note, note);
-  for (const std::string& warning : report.warnings) terminal.say(LogLevel::warning, warning);
   terminal.print("planes       %zu, %u cells between them\n", report.planes.size(), report.arrangement_cells);
   terminal.print("solid        %u tetrahedra, volume %.6g\n", report.solid_tets, report.volume);
   terminal.print("surface      %u triangles, %u vertices\n", report.surface_triangles,
@@ -55,8 +53,6 @@ void print_summary(Terminal& terminal, const Report& report) {
 }
 
 void print_summary(Terminal& terminal, const StackReport& report) {
-  for (const std::string& note : report.notes) terminal.say(LogLevel::note, note);
-  for (const std::string& warning : report.warnings) terminal.say(LogLevel::warning, warning);
   const auto number = [](std::uint64_t n) { return static_cast<unsigned long long>(n); };
   terminal.print("planes       %zu, in %u windows\n", report.planes.size(), report.windows);
   terminal.print("solid        %llu tetrahedra, volume %.6g\n", number(report.solid_tets), report.volume);

@@ -1,4 +1,5 @@
-# Headers keep their folders, so that their relative includes hold in the installed tree too.
+# Headers keep their folders, so that their relative includes hold in the installed tree too. Those
+# that need Boost are for geom's sources alone.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
@@ -8,7 +9,7 @@ if(CROSSLOFT_BUILD_CLI)
 endif()
 foreach(room IN LISTS CROSSLOFT_ROOMS)
   install(DIRECTORY ${room} DESTINATION include/crossloft FILES_MATCHING PATTERN "*.h" PATTERN homogeneous.h EXCLUDE
-          PATTERN strategies EXCLUDE)
+          PATTERN lattice_reduction.h EXCLUDE PATTERN strategies EXCLUDE)
 endforeach()
 
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/crossloft)

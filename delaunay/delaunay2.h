@@ -36,7 +36,8 @@ class Delaunay2 {
   /// The vertex that stands for point i: i itself, or the lowest index (of build()) of an equal point. Found
   /// in dimension 2 only, i below.
   std::uint32_t kept(std::uint32_t i) const { return core_.kept(i); }
-  /// True iff ab is an edge; in dimension 1, iff a and b are neighbours along the line. Takes the smaller of
+  /// True iff ab is an edge; in dimension 1, iff a and b are neighbours along the line. A point that equals
+  /// another stands for its vertex. Takes the smaller of
   /// the two degrees, in dimension 1 linear time.
   bool has_edge(std::uint32_t a, std::uint32_t b) const;
   /// The finite triangles with their neighbours, in an order that depends on the order of insertion.
@@ -58,6 +59,7 @@ class Delaunay2 {
 template <PointPredicates2 P>
 bool Delaunay2<P>::has_edge(std::uint32_t a, std::uint32_t b) const {
   if (dimension() < 2) return adjacent_on_line(a, b);
+  a = kept(a), b = kept(b);
   const auto& cells = core_.cells();
   // Round both ends in step, so that a spoke of a hub costs no more than its other end.
   detail::Facet at_a = core_.spoke(a), at_b = core_.spoke(b);

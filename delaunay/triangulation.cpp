@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 #include "delaunay3.h"
@@ -64,9 +65,25 @@ Triangulation flat_triangulation(const std::vector<Vec3>& stored, const std::vec
   return regular_triangulation(points);
 }
 
+bool has_number(const Vec3& p) { return is_finite(p); }
+bool has_number(const WeightedPoint& p) { return is_finite(p.position) && std::isfinite(p.weight); }
+
+/// Predicates of what is no number contradict each other, and the insertion would not end well.
+template <class Points>
+bool all_have_numbers(const Points& points) {
+  return std::all_of(points.begin(), points.end(), [](const auto& p) { return has_number(p); });
+}
+
+Triangulation nothing_of(std::size_t points) {
+  Triangulation result;
+  result.kept.assign(points, kNone);
+  return result;
+}
+
 }  // namespace
 
 Triangulation delaunay_triangulation(std::vector<Vec3> points, unsigned threads) {
+  if (!all_have_numbers(points)) return nothing_of(points.size());
   threads = detail::useful_threads(threads, points.size());
   const std::vector<std::uint32_t> order = insertion_order(std::span<const Vec3>(points), threads);
   points = in_order(std::span<const Vec3>(points), order, threads);
@@ -85,6 +102,7 @@ Triangulation delaunay_triangulation(std::vector<Vec3> points, unsigned threads)
 }
 
 Triangulation regular_triangulation(std::span<const WeightedPoint> points) {
+  if (!all_have_numbers(points)) return nothing_of(points.size());
   std::vector<Vec3> places;
   places.reserve(points.size());
   for (const WeightedPoint& p : points) places.push_back(p.position);

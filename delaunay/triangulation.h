@@ -14,7 +14,7 @@ namespace crossloft {
 
 /// A triangulation in the numbers of the points given, of the dimension that they have.
 struct Triangulation {
-  int dimension = -1;               ///< of the affine hull, -1 for no points
+  int dimension = -1;               ///< of the affine hull, -1 for no points and for what is not finite
   std::vector<std::uint32_t> kept;  ///< per point: the vertex that stands for it, kNone if it is hidden
   TetMesh tets;                     ///< dimension 3: orient3d > 0
   TriMesh triangles;                ///< dimension 2: counter-clockwise in the projection along dropped_axis
@@ -30,11 +30,11 @@ struct Triangulation {
 /// The points are taken over and stored in insertion_order for the while: besides the result 32 bytes a point
 /// and 1 a tetrahedron, with several threads 2 a point more and 4 for each. Expected O(n log n) plus the
 /// tetrahedra made. `threads`: 0 counts as 1; few points use fewer, and no more than four a core are made.
-/// REQUIRES: finite coordinates, fewer than 2^30 tetrahedra, hull facets included.
+/// Coordinates that are not finite have no triangulation: then there are no simplices, the dimension is -1
+/// and no point is kept. REQUIRES: fewer than 2^30 tetrahedra, hull facets included.
 Triangulation delaunay_triangulation(std::vector<Vec3> points, unsigned threads = 1);
 
-/// The regular triangulation (contracts in regular3.h) in the same way. REQUIRES: finite coordinates and
-/// weights.
+/// The regular triangulation (contracts in regular3.h) in the same way; weights, too, have to be finite.
 Triangulation regular_triangulation(std::span<const WeightedPoint> points);
 
 /// Puts the simplices into the order of their vertices, and the vertices of each into the ascending order, or

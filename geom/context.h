@@ -14,9 +14,12 @@ inline bool is_raised(CancelFlag flag) { return flag != nullptr && flag->load(st
 enum class LogLevel : unsigned char { note, warning };
 
 struct Context {
-  /// Called from the calling thread only, never concurrently.
+  /// Called from the calling thread only, never concurrently. Hears all that a report of the operation has as
+  /// notes and warnings, each once. What a callback throws: README.md, "Memory".
   std::function<void(LogLevel, std::string_view)> log;
-  /// Stage name and the fraction of it that is done, 0..1; from the calling thread only.
+  /// Stage name and the fraction of it that is done, 0..1; from the calling thread only. A stage may have
+  /// several passes, one after the other under its name, and come again after others: within a pass fractions
+  /// never get less, and one less than the last of its stage tells that another pass has begun.
   std::function<void(std::string_view stage, double fraction)> progress;
   /// When raised, the operation ends soon with ErrorCode::cancelled and leaves nothing behind.
   CancelFlag cancel = nullptr;

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <functional>
 #include <numeric>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -55,13 +56,13 @@ bool number_kept(std::size_t count, const Context& context, std::string_view sta
 /// the user cancelled.
 template <class Work>
 Result<Done> for_all(std::size_t count, const Context& context, std::string_view stage, Work&& work) {
-  std::vector<Error> errors(count);
+  std::vector<std::optional<Error>> errors(count);
   const bool complete = parallel_for(count, context, stage, [&](std::size_t i) {
     if (auto done = work(i); !done) errors[i] = done.error();
   });
   if (!complete) return make_error(ErrorCode::cancelled, "cancelled");
-  for (const Error& error : errors)
-    if (!error.message.empty()) return error;
+  for (const std::optional<Error>& error : errors)
+    if (error) return *error;
   return Done{};
 }
 

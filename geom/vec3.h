@@ -1,6 +1,7 @@
 #pragma once
 /// A point or direction with double coordinates, in input units.
 
+#include <algorithm>
 #include <cmath>
 
 namespace crossloft {
@@ -18,8 +19,22 @@ constexpr double dot(Vec3 a, Vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z;
 constexpr Vec3 cross(Vec3 a, Vec3 b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
-/// Euclidean length; sqrt is correctly rounded everywhere, hence deterministic.
-inline double norm(Vec3 a) { return std::sqrt(dot(a, a)); }
+
+/// norm() by way of a power of two, for vectors whose squares leave the range of doubles.
+inline double scaled_norm(Vec3 a) {
+  const double largest = std::max({std::fabs(a.x), std::fabs(a.y), std::fabs(a.z)});
+  if (largest == 0 || !std::isfinite(largest)) return largest;
+  int e = 0;
+  std::frexp(largest, &e);
+  const Vec3 scaled{std::ldexp(a.x, -e), std::ldexp(a.y, -e), std::ldexp(a.z, -e)};
+  return std::ldexp(std::sqrt(dot(scaled, scaled)), e);
+}
+
+/// Euclidean length, whatever the squares are; sqrt is correctly rounded everywhere, hence deterministic.
+inline double norm(Vec3 a) {
+  const double square = dot(a, a);  // a summand that underflows is too small to count from 2^-900 on
+  return square >= 0x1p-900 && square <= 0x1p1000 ? std::sqrt(square) : scaled_norm(a);
+}
 inline bool is_finite(Vec3 a) { return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z); }
 
 }  // namespace crossloft

@@ -55,7 +55,9 @@ struct CheckReport {
   std::vector<ComponentReport> components;  ///< by first triangle
   std::uint32_t cavities = 0, inverted = 0;  ///< of them, counted if all are manifold
   std::int64_t genus = 0;       ///< sum over the components
-  double volume = 0, area = 0;  ///< signed volume and area of the whole
+  /// Signed volume and area of the whole. Doubles have no volume of sizes beyond 1e102 or below 1e-107 and no
+  /// area of those beyond 1e154 or below 1e-161: there they are infinite, not a number or 0.
+  double volume = 0, area = 0;
 
   bool closed() const {
     return open_edges == 0 && crowded_edges == 0 && repeated_indices == 0 && bad_indices == 0;
@@ -117,7 +119,8 @@ struct SectionCheck {
 /// of the squared diagonal; a vertex that is within `on_plane` by chance adds at most that height times the
 /// cotangent of its slope. Distances are sampled at steps of 1/512 of the section's diagonal and at all
 /// vertices; pieces of a boundary shorter than 1e-8 of it are not judged.
-/// O((n + s) log s) a plane for n triangles and s boundary segments. Planes with a zero normal report zeros.
+/// O((n + s) log s) a plane for n triangles and s boundary segments. Planes whose normal is 0 or not finite
+/// report zeros; triangles and edges that name a point that is not there are left out.
 SectionCheck check_sections(const Surface& surface, const Sections& sections,
                             const SectionCheckOptions& options = {});
 

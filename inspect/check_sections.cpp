@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../geom/unit_plane.h"
 #include "check.h"
 #include "planar_layers.h"
 #include "triangle_distance.h"
@@ -21,14 +22,14 @@ constexpr double kNoCrossing = 1e-14;
 /// Orthonormal coordinates of a plane, z the height over it.
 struct PlaneFrame {
   PlaneFrame(const Vec3& normal, double offset, const Vec3& near) {
-    const double length = norm(normal);
-    w = (1 / length) * normal;
+    const UnitPlane plane = unit_plane(normal, offset);
+    w = plane.normal;
     const double x = std::abs(w.x), y = std::abs(w.y), z = std::abs(w.z);
     const Vec3 other = x <= y && x <= z ? Vec3{1, 0, 0} : y <= z ? Vec3{0, 1, 0} : Vec3{0, 0, 1};
     u = cross(w, other);
     u = (1 / norm(u)) * u;
     v = cross(w, u);
-    origin = near - (dot(w, near) + offset / length) * w;
+    origin = near - plane.height(near) * w;
   }
   Vec3 project(const Vec3& p) const { return {dot(u, p - origin), dot(v, p - origin), dot(w, p - origin)}; }
 
@@ -69,6 +70,7 @@ class PlaneJudge {
       projected_.push_back(q);
     }
     for (const auto& t : surface_.triangles) {
+      if (*std::max_element(t.begin(), t.end()) >= projected_.size()) continue;
       const auto [low, high] = std::minmax({projected_[t[0]].z, projected_[t[1]].z, projected_[t[2]].z});
       if (low <= 0 && high > 0) add_chord(t, kUpperSlice);
       if (low < 0 && high >= 0) add_chord(t, kLowerSlice);
@@ -185,7 +187,7 @@ SectionCheck check_sections(const Surface& surface, const Sections& sections,
   const Vec3 center = box.empty() ? Vec3{} : box.center();
   for (const PlaneSection& s : sections.planes) {
     check.planes.emplace_back();
-    if (norm(s.normal) > 0)
+    if (s.normal != Vec3{} && is_finite(s.normal))
       check.planes.back() = PlaneJudge(surface, s, center, options.on_plane * check.diagonal).run();
     check.planes.back().plane = position_of(sections, static_cast<std::uint32_t>(check.planes.size() - 1));
     check.section_area += check.planes.back().section_area;

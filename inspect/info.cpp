@@ -7,6 +7,7 @@
 
 #include "../arrangement/data_box.h"
 #include "../arrangement/section_graph.h"
+#include "../geom/unit_plane.h"
 
 namespace crossloft {
 namespace {
@@ -32,10 +33,10 @@ std::map<std::pair<std::uint32_t, std::uint32_t>, double> contour_areas(const Fr
 PlaneInfo examine_plane(const FramedPlane& plane, const Sections& sections) {
   PlaneInfo info;
   info.plane = plane.sources[0];
-  const PlaneSection& given = sections.planes[info.plane];
-  const double length = norm(given.normal);
-  info.normal = (1 / length) * given.normal;
-  info.offset = given.offset / length;
+  const PlaneSection& given = *plane_at(sections, info.plane);
+  const UnitPlane unit = unit_plane(given.normal, given.offset);
+  info.normal = unit.normal;
+  info.offset = unit.offset;
   info.vertices = static_cast<std::uint32_t>(plane.vertices.size());
   info.edges = static_cast<std::uint32_t>(plane.walls.size());
   info.off_plane = plane.off_plane;
@@ -86,6 +87,8 @@ Result<SectionsInfo> examine(const Sections& sections, double plane_tolerance, c
     info.common_points = framed->common_points;
     info.notes = framed->notes;
     info.warnings = framed->warnings;
+    for (const std::string& text : info.notes) context.note(text);
+    for (const std::string& text : info.warnings) context.warn(text);
     std::set<LatticeVector> normals;
     bool first = true;
     for (const FramedPlane& plane : framed->planes) {

@@ -6,22 +6,13 @@
 #include <cmath>
 #include <tuple>
 
+#include "../geom/unit_plane.h"
 #include "contour_tracing.h"
 
 namespace crossloft {
 namespace {
 
 constexpr std::uint32_t next(std::uint32_t k) { return k == 2 ? 0 : k + 1; }
-
-/// The same plane with a normal of length 1; scaled by the largest coordinate first, against over- and
-/// underflow.
-CuttingPlane unit_plane(const CuttingPlane& plane) {
-  const auto& [n, offset] = plane;
-  const double largest = std::max({std::abs(n.x), std::abs(n.y), std::abs(n.z)});
-  const Vec3 m{n.x / largest, n.y / largest, n.z / largest};
-  const double length = norm(m);
-  return {{m.x / length, m.y / length, m.z / length}, offset / largest / length};
-}
 
 /// 0 counts as above.
 bool above(double height) { return height >= 0; }
@@ -69,7 +60,7 @@ class Slicer {
   Result<Sections> run() {
     Result<Done> valid = validate();
     if (!valid) return valid.error();
-    for (const CuttingPlane& plane : given_) planes_.push_back(unit_plane(plane));
+    for (const CuttingPlane& plane : given_) planes_.push_back(unit_plane(plane.normal, plane.offset));
     number_edges();
     if (!closed_) return error(ErrorCode::not_closed, "the mesh is not closed, so it bounds no solid");
     cut_edges();
@@ -286,7 +277,7 @@ class Slicer {
 
   const Surface& mesh_;
   std::span<const CuttingPlane> given_;
-  std::vector<CuttingPlane> planes_;                 // the same with unit normals
+  std::vector<UnitPlane> planes_;                    // the same with unit normals
   double close_;                                     // points this near are one point up to rounding
   std::vector<std::array<std::uint32_t, 2>> edges_;  // lower vertex first
   std::vector<std::uint32_t> edge_of_side_;          // of side k of triangle t at 3 t + k

@@ -1,24 +1,20 @@
 #include "section_conventions.h"
 
-#include <algorithm>
 #include <cmath>
 #include <string>
 
 #include "../arrangement/normalise.h"
+#include "../geom/unit_plane.h"
 
 namespace crossloft {
 namespace {
 
 /// Sum over the vertices of |n.x + sign D| / |n|.
 double residual(const PlaneSection& plane, double sign) {
-  // Scaled by the largest component, which can neither over- nor underflow when squared.
-  const Vec3 n = plane.normal;
-  const double scale = std::max({std::abs(n.x), std::abs(n.y), std::abs(n.z)});
-  const Vec3 unit{n.x / scale, n.y / scale, n.z / scale};
-  const double offset = sign * plane.offset / scale;
+  const UnitPlane unit = unit_plane(plane.normal, sign * plane.offset);
   double sum = 0;
-  for (const Vec3& x : plane.vertices) sum += std::abs(dot(unit, x) + offset);
-  return sum / norm(unit);
+  for (const Vec3& x : plane.vertices) sum += std::abs(unit.height(x));
+  return sum;
 }
 
 }  // namespace

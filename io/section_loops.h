@@ -19,7 +19,8 @@ struct SectionLoop {
 /// Joins the walls of a section (edges with the outside on exactly one side, equal ones cancelled in pairs)
 /// to loops. At a vertex of higher degree neighbours around it are joined, so loops touch there and never
 /// cross. Holes are loops inside an odd number of others, decided in double precision. Errors: open_chain at
-/// a vertex with an odd number of walls. O(n log n + loops * n) at worst, boxes skip most pairs.
+/// a vertex with an odd number of walls. O(n log n + loops * n) at worst, boxes skip most pairs. REQUIRES:
+/// edges that name vertices of the plane.
 Result<std::vector<SectionLoop>> section_loops(const PlaneSection& plane);
 
 }  // namespace crossloft

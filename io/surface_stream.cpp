@@ -22,6 +22,8 @@ std::string padded_header(const SurfaceFormat& format, std::uint64_t vertices, s
   return format.header(vertices, triangles, longest_header(format) - size);
 }
 
+Error ended() { return make_error(ErrorCode::usage, "the stream has ended: finish() is its last call"); }
+
 }  // namespace
 
 struct SurfaceStream::Parts {
@@ -29,6 +31,7 @@ struct SurfaceStream::Parts {
   AtomicFile vertices, triangles;  ///< the first one with the header becomes the target
   std::uint64_t vertex_count = 0, triangle_count = 0;
   std::string buffer;
+  bool finished = false;
 
   Result<Done> take(std::span<const Vec3> points, std::span<const std::array<std::uint32_t, 3>> faces);
   Result<Done> finish(const Context& context);
@@ -51,7 +54,7 @@ Result<SurfaceStream> SurfaceStream::create(const std::string& path) {
     auto triangles = AtomicFile::create(path);
     if (!triangles) return triangles.error();
     auto parts = std::make_unique<Parts>(
-        Parts{format, std::move(vertices).value(), std::move(triangles).value(), 0, 0, {}});
+        Parts{format, std::move(vertices).value(), std::move(triangles).value(), 0, 0, {}, false});
     parts->vertices.append(std::string(longest_header(*format), ' '));
     return SurfaceStream(std::move(parts));
   });
@@ -72,6 +75,7 @@ Result<Done> SurfaceStream::finish(const Context& context) {
 
 Result<Done> SurfaceStream::Parts::take(std::span<const Vec3> points,
                                         std::span<const std::array<std::uint32_t, 3>> faces) {
+  if (finished) return ended();
   constexpr std::size_t kPiece = 1 << 16;
   const auto spill = [&](AtomicFile& file, std::size_t least) {
     if (buffer.size() < least) return;
@@ -91,6 +95,8 @@ Result<Done> SurfaceStream::Parts::take(std::span<const Vec3> points,
 }
 
 Result<Done> SurfaceStream::Parts::finish(const Context& context) {
+  if (finished) return ended();
+  finished = true;  // also if it fails: nothing is left then that could be tried again
   vertices.overwrite(padded_header(*format, vertex_count, triangle_count));
   const auto moved = triangles.move_to(vertices, [&] { return context.cancelled(); });
   if (!moved) return moved;

@@ -22,10 +22,10 @@ class SurfaceStream : public SurfaceSink {
   ~SurfaceStream() override;
   SurfaceStream(SurfaceStream&&) noexcept;
 
-  /// Error: file_not_writable.
+  /// Errors: file_not_writable, usage after finish().
   Result<Done> take(std::span<const Vec3> points,
                     std::span<const std::array<std::uint32_t, 3>> triangles) override;
-  /// Completes the file. Errors: file_not_writable, cancelled.
+  /// Completes the file, or leaves nothing. Errors: file_not_writable, cancelled, usage if called again.
   Result<Done> finish(const Context& context = {});
 
  private:

@@ -1,5 +1,6 @@
 #include <set>
 
+#include "../arrangement/normalise.h"
 #include "../geom/failing.h"
 #include "byte_writer.h"
 #include "section_loops.h"
@@ -37,6 +38,7 @@ void append_plane(std::string& text, std::size_t number, const PlaneSection& pla
 
 Result<std::string> format_csl(const Sections& sections, const Context& context) {
   return or_out_of_memory([&]() -> Result<std::string> {
+    if (const Result<Done> good = check_numbers(sections); !good) return good.error();
     std::set<std::int32_t> labels{0};  // 0 stands for the outside, which NLABELS counts
     std::string planes;
     bool mixed = false;

@@ -1,6 +1,7 @@
 #include "write_sections.h"
-#include "../geom/failing.h"
 
+#include "../arrangement/normalise.h"
+#include "../geom/failing.h"
 #include "atomic_file.h"
 #include "byte_writer.h"
 #include "file_extension.h"
@@ -38,8 +39,9 @@ std::string format_contour(const Sections& sections) {
 Result<Done> write_sections(const std::string& path, const Sections& sections, const Context& context) {
   return or_out_of_memory([&]() -> Result<Done> {
     const std::string extension = file_extension(path);
+    if (extension != "contour" && extension != "csl") return unknown_extension(path, ".contour and .csl");
+    if (Result<Done> good = check_numbers(sections); !good) return good;
     if (extension == "contour") return write_file(path, format_contour(sections));
-    if (extension != "csl") return unknown_extension(path, ".contour and .csl");
     const Result<std::string> text = format_csl(sections, context);
     return text.ok() ? write_file(path, *text) : Result<Done>(text.error());
   });

@@ -45,6 +45,9 @@ class EdgeRing;
 struct OpenEdge;
 struct Window;
 
+/// That tolerances, confidences and weights are in their ranges. Error: usage.
+Result<Done> check_options(const Options& options);
+
 /// What the report says of a surface without triangles, by the number of planes with a section.
 std::string why_empty(std::size_t filled);
 
@@ -170,7 +173,7 @@ class Pipeline {
   void note_slabs();
   void locate_surface();
 
-  Result<Done> check_options() const;
+  Result<Done> check_joins() const;
   Result<Done> check_input() const;
   void report_crossings();
   void explain_empty();

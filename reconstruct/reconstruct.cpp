@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../arrangement/normalise.h"
 #include "../geom/failing.h"
 #include "pipeline.h"
 #include "self_check.h"
@@ -47,12 +48,16 @@ std::string why_empty(std::size_t filled) {
   return "the surface is empty: no two sections face each other within one cell of the arrangement";
 }
 
-Result<Done> Pipeline::check_options() const {
-  for (const double tolerance : {options_.match_tolerance, options_.on_tolerance, options_.simplify,
-                                 options_.thicken, options_.separation})
+Result<Done> check_options(const Options& options) {
+  for (const double tolerance :
+       {options.match_tolerance, options.on_tolerance, options.simplify, options.thicken, options.separation})
     if (!(tolerance >= 0 && tolerance <= 1))
       return make_error(ErrorCode::usage, "a tolerance is a fraction of the diagonal, between 0 and 1");
-  if (auto good = check_natural(options_.natural); !good) return good;
+  if (auto good = check_plane_tolerance(options.plane_tolerance); !good) return good;
+  return check_natural(options.natural);
+}
+
+Result<Done> Pipeline::check_joins() const {
   for (const JoinRequest& r : options_.joins) {
     if (auto good = check_named(plane_at(sections_, r.plane_a), r.plane_a, r.contour_a); !good) return good;
     if (auto good = check_named(plane_at(sections_, r.plane_b), r.plane_b, r.contour_b); !good) return good;
@@ -61,7 +66,9 @@ Result<Done> Pipeline::check_options() const {
 }
 
 Result<Done> Pipeline::check_input() const {
-  if (auto good = check_options(); !good) return good;
+  if (auto good = check_part(sections_); !good) return good;
+  if (auto good = check_options(options_); !good) return good;
+  if (auto good = check_joins(); !good) return good;
   for (std::uint32_t p = 0; p < sections_.planes.size(); ++p)
     for (const Vec3& v : sections_.planes[p].vertices)
       if (std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}) > kLargestCoordinate && is_finite(v))
@@ -78,8 +85,8 @@ Result<Done> Pipeline::frame() {
   framed_ = std::move(framed).value();
   Report& report = result_.report;
   report.diagonal = framed_.diagonal;
-  report.notes = framed_.notes;
-  report.warnings = framed_.warnings;
+  for (const std::string& text : framed_.notes) note(text);
+  for (const std::string& text : framed_.warnings) warn(text);
   for (const FramedPlane& plane : framed_.planes) {
     report.displacement = std::max(report.displacement, plane.displacement);
     report.off_plane = std::max(report.off_plane, plane.off_plane);

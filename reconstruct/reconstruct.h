@@ -42,9 +42,11 @@ class Observer;
 
 /// Reconstructs. The result does not depend on the order of planes, contours, vertices or on context.threads.
 /// Errors: those of the input (ErrorCode up to contradicting_planes), too_thin, out_of_memory, cancelled,
-/// internal. Throws only what a callback throws. No plane is an error; planes without contours or one plane
-/// alone give an empty surface and a warning in the report. `observer` (observer.h) is shown every
-/// intermediate product.
+/// internal; too_large for a coordinate beyond 1e100, where volumes would overflow, for contours that are all
+/// together smaller than some 1e-309, and for an arrangement with more elements than an index can name.
+/// Throws only what a callback throws (geom/README.md, "Memory"). No plane is an error; planes without
+/// contours or one plane alone give an empty surface and a warning in the report. `observer` (observer.h) is
+/// shown every intermediate product.
 Result<Reconstruction> reconstruct(const Sections& sections, const Options& options = {},
                                    const Context& context = {}, Observer* observer = nullptr);
 

@@ -1,6 +1,7 @@
 #pragma once
 /// What a reconstruction tells about itself, as plain numbers. Lengths in input units, seconds of wall clock,
-/// `delaunay` and `pruning` added up over cells (and so over threads).
+/// `delaunay` and `pruning` added up over cells (and so over threads). Where a double is too small for an
+/// area (of data below some 1e-154) or a volume (below 1e-103), it has few digits or is 0.
 
 #include <cstdint>
 #include <string>

@@ -37,7 +37,7 @@ class StackBuilder {
 
   Result<StackReport> run() {
     Stopwatch watch;
-    if (auto good = check_options(); !good) return good.error();
+    if (auto good = check_stack_options(); !good) return good.error();
     auto planes = survey(source_, context_);
     if (!planes) return planes.error();
     planes_ = std::move(planes).value();
@@ -50,7 +50,8 @@ class StackBuilder {
   }
 
  private:
-  Result<Done> check_options() const {
+  Result<Done> check_stack_options() const {
+    if (auto good = check_options(options_.options); !good) return good;
     const NaturalOptions& natural = options_.options.natural;
     if (natural.divide == InCells::all || natural.look_around == InCells::all)
       return make_error(
@@ -178,8 +179,11 @@ class StackBuilder {
     }
     for (std::uint32_t s = 0; s < window.slab_tets.size(); ++s)
       if (is_between(s)) report_.solid_tets += window.slab_tets[s];
-    add_new(window.framing_notes, report_.notes);
-    add_new(window.framing_warnings, report_.warnings);
+    // Neighbours say the same of planes that both have.
+    for (const std::string& text : window.framing_notes)
+      if (told_.insert(text).second) note(text);
+    for (const std::string& text : window.framing_warnings)
+      if (told_.insert(text).second) warn(text);
     merged_vertices_ += from.merged_vertices;
     contacts_ += static_cast<std::uint64_t>(
         std::count_if(window.contact_slab.begin(), window.contact_slab.end(), is_between));
@@ -195,10 +199,13 @@ class StackBuilder {
     report_.off_plane = std::max(report_.off_plane, plane.off_plane);
   }
 
-  /// Neighbours say the same of planes that both have.
-  void add_new(const std::vector<std::string>& from, std::vector<std::string>& to) {
-    for (const std::string& text : from)
-      if (told_.insert(text).second) to.push_back(text);
+  void note(std::string text) {
+    context_.note(text);
+    report_.notes.push_back(std::move(text));
+  }
+  void warn(std::string text) {
+    context_.warn(text);
+    report_.warnings.push_back(std::move(text));
   }
 
   void finish() {
@@ -212,14 +219,13 @@ class StackBuilder {
     if (report_.surface_triangles == 0)
       explain_empty();
     else if (report_.flat_regions != 0)
-      report_.warnings.push_back(std::to_string(report_.flat_regions) +
-                                 " section regions stay bare on both sides: the solid does not contain them");
+      warn(std::to_string(report_.flat_regions) +
+           " section regions stay bare on both sides: the solid does not contain them");
     if (merged_vertices_ != 0)
-      report_.warnings.push_back(std::to_string(merged_vertices_) +
-                                 " vertices were merged with others, as triangles crossed after rounding: "
-                                 "some have no area; what two windows share is counted twice");
-    if (contacts_ != 0)
-      report_.warnings.push_back(std::to_string(contacts_) + " pairs of triangles touch");
+      warn(std::to_string(merged_vertices_) +
+           " vertices were merged with others, as triangles crossed after rounding: "
+           "some have no area; what two windows share is counted twice");
+    if (contacts_ != 0) warn(std::to_string(contacts_) + " pairs of triangles touch");
   }
 
   /// Without any wall there is no window whose frame would tell of contours that cancelled each other.
@@ -235,11 +241,10 @@ class StackBuilder {
   }
 
   void explain_empty() {
-    if (report_.planes.empty())
-      report_.warnings.emplace_back(planes_.extent.empty() ? kNoContour : kNoWideContour);
+    if (report_.planes.empty()) warn(planes_.extent.empty() ? kNoContour : kNoWideContour);
     const auto filled = std::count_if(report_.planes.begin(), report_.planes.end(),
                                       [](const PlaneReport& plane) { return plane.edges != 0; });
-    report_.warnings.push_back(why_empty(static_cast<std::size_t>(filled)));
+    warn(why_empty(static_cast<std::size_t>(filled)));
   }
 
   SectionSource& source_;

@@ -58,9 +58,10 @@ struct StackFrame {
 
 StackFrame frame_of(const LatticeVector& direction, const Bounds& box) {
   const Vec3 unit = unit_of(direction);
-  const double diagonal = diagonal_of(box);
+  const double diagonal = box.diagonal();
   if (diagonal == 0) return {unit, {}};  // frames make nothing of it
   const WorldGrid grid(box.low, box.high);
+  if (grid.unit() == 0) return {unit, {}};  // an error of frames
   const double radius = std::ceil(diagonal / grid.unit() / 2);
   const Vec3 fitted = unit_of(fit_normal(direction, static_cast<std::int64_t>(radius)));
   return {fitted, grid.from_lattice(LatticePoint{}), norm(cross(unit, fitted))};
@@ -110,7 +111,7 @@ class Surveyor {
   std::vector<std::uint32_t> in_doubt() const {
     std::vector<std::uint32_t> list;
     for (std::uint32_t p = 0; p < triangles_.size(); ++p)
-      if (may_be_flat(triangles_[p], diagonal_of(out_.extent))) list.push_back(p);
+      if (may_be_flat(triangles_[p], out_.extent.diagonal())) list.push_back(p);
     return list;
   }
 
@@ -128,7 +129,7 @@ class Surveyor {
     frame_ = frame_of(out_.direction, out_.wide);
     const Vec3 unit = unit_of(out_.direction);
     offsets_ = offsets_along(unit);
-    const double reach = 4 * frame_.tilt * diagonal_of(out_.wide);
+    const double reach = 4 * frame_.tilt * out_.wide.diagonal();
     if (reach <= near()) {
       frame_.unit = dot(unit, frame_.unit) < 0 ? -unit : unit;
       return {};
@@ -172,16 +173,14 @@ class Surveyor {
     auto walls = walls_of(alone);
     if (!walls) return walls.error();
     WallSection& section = walls->front();
-    drop_flat(section, diagonal_of(out_.extent));
+    drop_flat(section, out_.extent.diagonal());
     ends_[position] = ends_along(unit, section, origin);
     boxes_[position] = bounds_of(section.vertices);
     return Done{};
   }
 
   /// What is less apart is one level.
-  double near() const {
-    return kOneLevel * diagonal_of(out_.wide) + kRounding * largest_coordinate(out_.wide);
-  }
+  double near() const { return kOneLevel * out_.wide.diagonal() + kRounding * largest_coordinate(out_.wide); }
 
   /// By position: half way between the ends, as frames place a plane.
   std::vector<double> offsets_along(const Vec3& unit) const {

@@ -5,17 +5,9 @@
 #include <span>
 #include <vector>
 
-#include "../geom/vec3.h"
+#include "../geom/unit_plane.h"
 
 namespace crossloft {
-
-/// { x : normal.x + offset = 0 }, the normal of unit length.
-struct UnitPlane {
-  Vec3 normal;
-  double offset = 0;
-
-  double height(Vec3 p) const { return dot(normal, p) + offset; }
-};
 
 /// The ball that holds the data.
 struct DataBall {

@@ -6,6 +6,7 @@
 #include <map>
 #include <tuple>
 
+#include "../geom/unit_plane.h"
 #include "plane_records.h"
 #include "repair_steps.h"
 #include "section_edit.h"
@@ -38,10 +39,10 @@ Spread spread_along(Vec3 normal, const std::vector<Vec3>& vertices) {
 }
 
 double largest_residual(const PlaneSection& p, double offset) {
+  const UnitPlane plane = unit_plane(p.normal, offset);
   double largest = 0;
-  for (const ContourEdge& e : p.edges)
-    largest = std::max(largest, std::fabs(dot(p.normal, p.vertices[e.a]) + offset));
-  return largest / norm(p.normal);
+  for (const ContourEdge& e : p.edges) largest = std::max(largest, std::fabs(plane.height(p.vertices[e.a])));
+  return largest;
 }
 
 void settle_sign(Work& work, WorkPlane& plane) {
@@ -97,15 +98,21 @@ double off_plane(const WorkPlane& plane) {
   return (s.high - s.low) / 2;
 }
 
+/// Gives the section the plane with the side of the normal that it has in the file, and with its length
+/// unless that leaves no room for digits.
+void replace_plane(PlaneSection& p, const UnitPlane& plane) {
+  const double length = norm(p.normal), kept = length > 1e-290 && length < 1e300 ? length : 1;
+  const double side = dot(unit_plane(p.normal, p.offset).normal, plane.normal) < 0 ? -kept : kept;
+  p.normal = side * plane.normal;
+  p.offset = side * plane.offset;
+}
+
 void fit(Work& work, WorkPlane& plane) {
   const std::vector<Vec3> vertices = used_vertices(plane.section);
   const Vec3 normal = fitted_normal(plane, vertices);
   const Spread before = spread_along(plane.normal, vertices), after = spread_along(normal, vertices);
   if (!(after.high - after.low < (before.high - before.low) / 2)) return;
-  PlaneSection& p = plane.section;
-  const double length = norm(p.normal), side = dot(p.normal, normal) < 0 ? -length : length;
-  p.normal = side * normal;
-  p.offset = -side * (after.low / 2 + after.high / 2);
+  replace_plane(plane.section, {normal, -(after.low / 2 + after.high / 2)});
   settle_plane(plane);
   work.note({RepairKind::plane_fitted, plane.source, kNone, kNone, 1, (before.high - before.low) / 2,
              vertices[0], "the plane was turned to its vertices"});
@@ -140,9 +147,7 @@ void move_onto(Work& work, WorkPlane& plane) {
       ++m.count;
       if (within) p.vertices[v] = p.vertices[v] - height * plane.normal;
     }
-  const double length = norm(p.normal), side = dot(p.normal, plane.normal) < 0 ? -length : length;
-  p.normal = side * plane.normal;
-  p.offset = side * plane.offset;
+  replace_plane(p, {plane.normal, plane.offset});
   for (const auto& [contour, m] : moved) tell_moved(work, plane, contour, m, true);
   for (const auto& [contour, m] : left) tell_moved(work, plane, contour, m, false);
 }
@@ -159,11 +164,10 @@ double distance_over_data(const Work& work, const WorkPlane& a, const WorkPlane&
 
 void settle_plane(WorkPlane& plane) {
   const PlaneSection& p = plane.section;
-  const double largest = std::max({std::fabs(p.normal.x), std::fabs(p.normal.y), std::fabs(p.normal.z)});
-  const Vec3 scaled{p.normal.x / largest, p.normal.y / largest, p.normal.z / largest};
-  const double length = norm(scaled), sign = scaled < Vec3{} ? -1 : 1;
-  plane.normal = (sign / length) * scaled + Vec3{};
-  plane.offset = sign * (p.offset / largest / length);
+  const UnitPlane unit = unit_plane(p.normal, p.offset);
+  const double sign = unit.normal < Vec3{} ? -1 : 1;
+  plane.normal = sign * unit.normal + Vec3{};
+  plane.offset = sign * unit.offset;
   const std::vector<Vec3> vertices = used_vertices(p);
   if (vertices.empty()) return;
   const Spread s = spread_along(plane.normal, vertices);

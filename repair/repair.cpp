@@ -34,31 +34,20 @@ Result<Done> check_options(const RepairOptions& o) {
   return Done{};
 }
 
-Error error_in(const Sections& in, std::uint32_t plane, ErrorCode code, std::string message) {
-  return {code, std::move(message), in.source, in.planes[plane].line, plane, kNone};
-}
-
-Result<Done> check_plane(const Sections& in, std::uint32_t i) {
+Result<Done> check_size(const Sections& in, std::uint32_t i) {
   const PlaneSection& p = in.planes[i];
-  if (!is_finite(p.normal) || !std::isfinite(p.offset))
-    return error_in(in, i, ErrorCode::not_finite, "the plane's coefficients are not finite");
-  if (p.normal == Vec3{}) return error_in(in, i, ErrorCode::zero_normal, "the plane's normal is zero");
-  for (const ContourEdge& e : p.edges)
-    if (std::max(e.a, e.b) >= p.vertices.size())
-      return error_in(in, i, ErrorCode::index_out_of_range, "an edge names a vertex that is not there");
-  for (const Vec3& v : p.vertices) {
-    if (!is_finite(v)) return error_in(in, i, ErrorCode::not_finite, "a vertex is not finite");
+  for (const Vec3& v : p.vertices)
     if (std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}) > 1e100)
-      return error_in(in, i, ErrorCode::too_large, "a coordinate is beyond 1e100");
-  }
+      return Error{ErrorCode::too_large, "a coordinate is beyond 1e100", in.source, p.line, i};
   return Done{};
 }
 
 Result<Done> check_input(const Sections& in, const RepairOptions& options) {
   if (auto good = check_options(options); !good) return good;
   if (in.planes.empty()) return Error{ErrorCode::no_plane, "there is no cutting plane", in.source};
+  if (auto good = check_numbers(in); !good) return good;
   for (std::uint32_t i = 0; i < in.planes.size(); ++i)
-    if (auto good = check_plane(in, i); !good) return good;
+    if (auto good = check_size(in, i); !good) return good;
   return Done{};
 }
 

@@ -23,6 +23,20 @@ TEST_CASE("the box alone is one cell") {
   CHECK_FALSE(a.locate(make_point({9, 0, 0})).found());
 }
 
+TEST_CASE("a box that is empty or too large is an error") {
+  const auto code_of = [](const LatticeBox& box) {
+    LatticePointStore store;
+    const auto built = build_arrangement(std::vector{make_axis_plane(0, 0)}, box, store);
+    return built.ok() ? ErrorCode::internal : built.error().code;
+  };
+  constexpr std::int64_t kMost = std::int64_t{1} << 49;
+  CHECK(code_of(centred_box(kMost)) == ErrorCode::internal);
+  CHECK(code_of(centred_box(kMost + 1)) == ErrorCode::too_large);
+  CHECK(code_of(centred_box(std::int64_t{1} << 62)) == ErrorCode::too_large);
+  CHECK(code_of({{0, 0, 0}, {1, 1, kMost + 1}}) == ErrorCode::too_large);
+  CHECK(code_of({{0, 0, 0}, {1, 0, 1}}) == ErrorCode::usage);
+}
+
 TEST_CASE("grids of axis planes") {
   LatticePointStore store;
   std::vector<LatticePlane> planes;

@@ -102,6 +102,21 @@ TEST_CASE("sorted simplices are a function of the points") {
   check_same(again, t);
 }
 
+TEST_CASE("coordinates that are not finite have no triangulation") {
+  for (const double bad : {std::nan(""), HUGE_VAL, -HUGE_VAL})
+    for (const std::size_t axis : {0u, 1u, 2u}) {
+      std::vector<Vec3> points = bench::uniform_cube(50);
+      (axis == 0 ? points[3].x : axis == 1 ? points[3].y : points[3].z) = bad;
+      const Triangulation none = delaunay_triangulation(points);
+      CHECK(none.dimension == -1);
+      CHECK(none.tets.size() == 0);
+      CHECK(none.kept == std::vector<std::uint32_t>(50, kNone));
+      const std::vector<WeightedPoint> weighted{{points[3], 0}, {points[0], 0}}, heavy{{points[0], bad}};
+      CHECK(regular_triangulation(weighted).dimension == -1);
+      CHECK(regular_triangulation(heavy).dimension == -1);
+    }
+}
+
 TEST_CASE("points of a plane or line get the triangulation of that plane or line") {
   CHECK(delaunay_triangulation({}).dimension == -1);
   const Triangulation one = delaunay_triangulation({{1, 2, 3}, {1, 2, 3}});

@@ -46,6 +46,18 @@ TEST_CASE("cancelled: false, and the rest is not begun") {
   CHECK(done < 100000);
 }
 
+TEST_CASE("the first error by number comes out, with or without a message") {
+  for (const unsigned threads : {1u, 3u}) {
+    const auto done = for_all(100, with_threads(threads), "items", [](std::size_t i) -> Result<Done> {
+      if (i == 30) return make_error(ErrorCode::too_thin, "");
+      if (i == 70) return make_error(ErrorCode::usage, "seventy");
+      return Done{};
+    });
+    REQUIRE_FALSE(done.ok());
+    CHECK(done.error().code == ErrorCode::too_thin);
+  }
+}
+
 TEST_CASE("what is kept is numbered in its order, for any number of threads") {
   for (const unsigned threads : {1u, 2u, 7u})
     for (const std::size_t count : {std::size_t{0}, std::size_t{1}, kBlock, 5 * kBlock + 7}) {

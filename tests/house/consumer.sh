@@ -7,6 +7,7 @@ rm -rf "$work"
 if [ "$way" = package ]; then
   cmake --install "$build" --prefix "$work/prefix" >/dev/null
   where=-DCMAKE_PREFIX_PATH=$work/prefix
+  "$source/tests/house/headers_alone.sh" "$compiler" "$work/prefix/include/crossloft"
 else
   where=-DCROSSLOFT_FOLDER=$source
 fi

@@ -34,6 +34,26 @@ PlaneCheck check_one(const Surface& mesh, const PlaneSection& section) {
 
 }  // namespace
 
+TEST_CASE("triangles that name a point that is not there are left out") {
+  Surface mesh = cube();
+  mesh.triangles.push_back({0, 1, 4000000000u});
+  CHECK(check_one(mesh, square(0, 0, 1)).difference_area() < 1e-14);
+}
+
+TEST_CASE("the length of normals does not count") {
+  const Surface mesh = cube();
+  for (const double scale : {1e-320, 1e-200, -1e-165, 1e155, 1.5e308}) {
+    CAPTURE(scale);
+    PlaneSection half = square(0.5, 0, 0.5);
+    half.normal = scale * half.normal;
+    half.offset *= scale;
+    const PlaneCheck r = check_one(mesh, half);
+    CHECK(r.section_area == doctest::Approx(0.25));
+    CHECK(r.extra_area == doctest::Approx(0.75));
+    CHECK(r.distance == doctest::Approx(std::sqrt(0.5)));
+  }
+}
+
 TEST_CASE("a mesh agrees with its own slices to rounding") {
   const Surface mesh = torus(1, 0.4, 80, 40);
   const Bounds box = bounds_of(mesh.points);

@@ -112,6 +112,23 @@ TEST_CASE("A stream that does not end leaves nothing, and the target as it was")
   CHECK(*read_file(scratch.path("s.ply")) == "old");
 }
 
+TEST_CASE("A stream that has ended takes no more") {
+  const Scratch scratch;
+  const Surface surface = torus(1, 0.3, 20, 10);
+  const std::atomic<bool> stop = true;
+  Context cancelled;
+  cancelled.cancel = &stop;
+  for (const Context& context : {Context{}, cancelled}) {
+    auto stream = SurfaceStream::create(scratch.path("s.ply"));
+    REQUIRE(stream.ok());
+    REQUIRE(take(*stream, surface, 3).ok());
+    CHECK(stream->finish(context).ok() == !context.cancelled());
+    CHECK(stream->finish().error().code == ErrorCode::usage);
+    CHECK(take(*stream, surface, 3).error().code == ErrorCode::usage);
+  }
+  CHECK(read_surface(scratch.path("s.ply"))->triangles.size() == surface.triangles.size());
+}
+
 TEST_CASE("What can't be streamed to is an error") {
   const Scratch scratch;
   const auto code_of = [](const Result<SurfaceStream>& stream) {

@@ -174,6 +174,28 @@ TEST_CASE(".csl needs contours that close") {
   CHECK(text.error().contour == 0);
 }
 
+TEST_CASE("what would not be read back is not written") {
+  const Scratch scratch;
+  const Sections good = *parse_contour(section_texts::kTwoSquares, "");
+  Sections dangling = good, no_number = good, no_direction = good;
+  dangling.planes[1].edges[0].a = 4000000000u;
+  no_number.planes[1].vertices[0].x = std::nan("");
+  no_direction.planes[1].normal = {};
+  const std::pair<Sections, ErrorCode> cases[] = {{dangling, ErrorCode::index_out_of_range},
+                                                  {no_number, ErrorCode::not_finite},
+                                                  {no_direction, ErrorCode::zero_normal}};
+  for (const auto& [bad, code] : cases) {
+    for (const std::string name : {"a.contour", "a.csl"}) {
+      const Result<Done> written = write_sections(scratch.path(name), bad);
+      REQUIRE_FALSE(written.ok());
+      CHECK(written.error().code == code);
+      CHECK(written.error().plane == 1);
+    }
+    CHECK(format_csl(bad).error().code == code);
+  }
+  CHECK(scratch.files() == 0);
+}
+
 TEST_CASE("files are written by extension") {
   const Scratch scratch;
   const Sections sections = *parse_contour(section_texts::kTwoSquares, "");

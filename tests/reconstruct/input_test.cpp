@@ -45,6 +45,21 @@ TEST_CASE("sizes from 1e-12 to 1e12 work") {
   for (const double scale : {1e-12, 1e-3, 1e3, 1e12}) check_good(stack(scale));
 }
 
+TEST_CASE("areas are right where their squares leave the doubles") {
+  for (const double scale : {1e80, 1e-85}) {
+    CAPTURE(scale);
+    const auto r = reconstruct(stack(scale));
+    REQUIRE(r.ok());
+    const double unit = scale * scale, whole = check_surface(r->surface).area / unit;
+    CHECK(r->report.section_area / unit == doctest::Approx(9));  // each 12-gon has 3
+    CHECK(whole == doctest::Approx(check_surface(reconstruct(stack())->surface).area));
+  }
+}
+
+TEST_CASE("contours that are smaller than the grid can be are refused") {
+  CHECK(error_of(stack(1e-310)) == ErrorCode::too_large);
+}
+
 TEST_CASE("repeated vertices, collinear runs and an empty plane work") {
   Sections s = stack();
   add_contour(s.planes[0], {{5, 5, 0}, {6, 5, 0}, {6, 5, 0}, {7, 5, 0}, {7, 6, 0}, {5, 6, 0}}, 1);
@@ -59,6 +74,23 @@ TEST_CASE("contours without area are dropped with a warning") {
   REQUIRE(r.ok());
   CHECK_FALSE(r->report.warnings.empty());
   CHECK(hash(*r) == hash(*reconstruct(stack())));
+}
+
+TEST_CASE("the log hears all notes and warnings of the report, each once") {
+  Sections s = stack();
+  s.planes.push_back(s.planes[1]);                      // a note of the frames
+  add_contour(s.planes[1], {{5, 5, 1}, {6, 6, 1}}, 1);  // a warning of theirs
+  std::vector<std::string> notes, warnings;
+  Context context;
+  context.log = [&](LogLevel level, std::string_view text) {
+    (level == LogLevel::note ? notes : warnings).emplace_back(text);
+  };
+  const auto r = reconstruct(s, {}, context);
+  REQUIRE(r.ok());
+  CHECK_FALSE(notes.empty());
+  CHECK_FALSE(warnings.empty());
+  CHECK(notes == r->report.notes);
+  CHECK(warnings == r->report.warnings);
 }
 
 TEST_CASE("equal planes with equal or disjoint sections are one plane") {
@@ -84,6 +116,24 @@ TEST_CASE("one plane, or only empty ones: an empty surface and a word why") {
   between.planes.push_back(plane_at({0, 0, 1}, {0, 0, 0.5}));
   between.planes.push_back(plane_at({0, 0, 1}, {0, 0, 1.5}));
   check_empty(between);
+}
+
+TEST_CASE("a part of a file needs the positions of its planes and an extent that holds it") {
+  Sections part = stack();
+  Bounds whole;
+  for (const PlaneSection& p : part.planes) whole.join(bounds_of(p.vertices));
+  part.part_of = PartOf{{4, 5, 6}, whole, whole};
+  check_good(part);
+  Bounds less = whole;
+  less.high.z = 0.5;
+  for (const PartOf& bad :
+       {PartOf{{4, 5, 6}, less, whole}, PartOf{{4, 5, 6}, whole, less}, PartOf{{4}, whole, whole}}) {
+    part.part_of = bad;
+    CHECK(error_of(part) == ErrorCode::usage);
+  }
+  Options options;
+  options.joins.resize(1);
+  CHECK(reconstruct(part, options).error().code == ErrorCode::usage);
 }
 
 TEST_CASE("what can't be read as sections is an error that names the place") {

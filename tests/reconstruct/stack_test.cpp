@@ -468,6 +468,15 @@ TEST_CASE("What can't be streamed is an error with its place") {
   all.options.natural = {};
   all.options.natural.look_around = InCells::all;
   CHECK(error_of(all).code == ErrorCode::usage);
+  Sections empty;
+  empty.planes.push_back({{0, 0, 1}, 0, {}, {}, 0});
+  for (double Options::*tolerance : {&Options::match_tolerance, &Options::plane_tolerance}) {
+    StackOptions negative;
+    negative.options.*tolerance = -1;
+    CHECK(error_of(negative).code == ErrorCode::usage);
+    Source source(empty);
+    CHECK(reconstruct_stack(source, sink, negative).error().code == ErrorCode::usage);
+  }
   StackOptions unknown;
   unknown.options.joins.push_back({99, 0, 1, 0, true});
   CHECK(error_of(unknown).code == ErrorCode::usage);
@@ -505,9 +514,19 @@ TEST_CASE("Warnings about a plane name its place in the file, once") {
   plane.vertices.insert(plane.vertices.end(), {p, p + Vec3{0.1, 0, 0}});
   plane.edges.push_back({v, v + 1, 1, 0, 77, 0});
   plane.edges.push_back({v + 1, v, 1, 0, 77, 0});
-  const Streamed parts = streamed(sections);
-  CHECK(std::count(parts.report.warnings.begin(), parts.report.warnings.end(),
-                   "plane 25, contour 77: dropped, it encloses no area") == 1);
+  Source source(sections);
+  Sink sink;
+  std::vector<std::string> notes, warnings;
+  Context context;
+  context.log = [&](LogLevel level, std::string_view text) {
+    (level == LogLevel::note ? notes : warnings).emplace_back(text);
+  };
+  const auto report = reconstruct_stack(source, sink, {{}, 1}, context);
+  REQUIRE(report.ok());
+  CHECK(std::count(warnings.begin(), warnings.end(), "plane 25, contour 77: dropped, it encloses no area") ==
+        1);
+  CHECK(notes == report->notes);
+  CHECK(warnings == report->warnings);
 }
 
 TEST_CASE("The sink's failure ends it") {

@@ -325,6 +325,34 @@ TEST_CASE("a raised cancel flag ends the work, whatever steps there are") {
   }
 }
 
+TEST_CASE("the length of normals does not count") {
+  for (const double scale : {1e-320, 1e-200, -1e-165, 1e155, 1.5e308}) {
+    CAPTURE(scale);
+    Sections good = two_squares();
+    for (PlaneSection& p : good.planes) p.normal = scale * p.normal, p.offset *= scale;
+    CHECK(repaired(good).changes.empty());
+    Sections turned = good;
+    turned.planes[1].offset = -turned.planes[1].offset;
+    const Repair repair = repaired(turned);
+    CHECK(changes(repair, RepairKind::offset_sign).size() == 1);
+    CHECK(repair.sections.planes[1].offset == good.planes[1].offset);
+    Sections tilted = two_squares();  // to be fitted
+    tilted.planes[1].normal = scale * Vec3{0.01, 0, 1};
+    tilted.planes[1].offset = -scale;
+    const Repair fitted = repaired(tilted);
+    CHECK(changes(fitted, RepairKind::plane_fitted).size() == 1);
+    const PlaneSection& plane = fitted.sections.planes[1];
+    CHECK(is_finite(plane.normal));
+    CHECK((plane.normal.z > 0) == (scale > 0));
+    check_clean(fitted);
+    Sections bent = good;  // to be moved onto its plane
+    bent.planes[1].vertices[0].z += 0.02;
+    const Repair flat = repaired(bent);
+    CHECK(is_finite(flat.sections.planes[1].normal));
+    check_clean(flat);
+  }
+}
+
 TEST_CASE("what no repair can read is an error") {
   Sections bad = two_squares();
   bad.planes[0].vertices[0].x = std::numeric_limits<double>::quiet_NaN();
