@@ -275,8 +275,6 @@ std::string note_of_materials(std::size_t count) {
   return "the sections have " + std::to_string(count) + " materials: inside is any of them";
 }
 
-double diagonal_of(const Bounds& box) { return box.empty() ? 0 : norm(box.high - box.low); }
-
 Result<Done> check_part(const Sections& in) {
   if (!in.part_of || in.part_of->positions.size() == in.planes.size()) return Done{};
   return Error{ErrorCode::usage, "a part of a file needs the position of each of its planes", in.source};
@@ -322,7 +320,7 @@ WallExtent wall_extent(const Sections& in) {
   }
   WallExtent out;
   const Bounds all = extent_of(sections);
-  const double diagonal = diagonal_of(all);
+  const double diagonal = all.diagonal();
   for (std::uint32_t i = 0; i < in.planes.size(); ++i) {
     const WallSection given = collect_walls(in.planes[i], i);  // pairs are not for single contours to cancel
     out.flat.push_back(flat_contours(given, diagonal));

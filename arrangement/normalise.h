@@ -58,9 +58,6 @@ WallExtent wall_extent(const Sections& sections);
 /// What is told of several materials, by all in the same words, so that it is told once.
 std::string note_of_materials(std::size_t count);
 
-/// Of a box, without overflow of the squares; 0 if it is empty.
-double diagonal_of(const Bounds& box);
-
 /// Drops contours that have no area in data with this diagonal: those so near to one line that frames can't
 /// tell. O(w log w) for w walls.
 void drop_flat(WallSection& section, double diagonal);

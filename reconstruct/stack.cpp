@@ -235,7 +235,8 @@ class StackBuilder {
       if (!part) return part.error();
       const auto normalised = normalise(*part, options_.options.plane_tolerance, quiet_);
       if (!normalised) return normalised.error();
-      add_new(normalised->warnings, report_.warnings);
+      for (const std::string& text : normalised->warnings)
+        if (told_.insert(text).second) warn(text);
     }
     return Done{};
   }
