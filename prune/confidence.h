@@ -78,7 +78,7 @@ struct CellMemory {
   std::vector<SectionRows> sections;     ///< by face
   std::optional<ContourEdges> contours;  ///< once a tetrahedron has a vertex inside the cell
   KnownConfidences known;
-  std::uint32_t wide_parts = kNone;  ///< of the hull (walls.h), once they have been counted
+  std::uint32_t hull_parts = kNone;  ///< outside (walls.h), once they have been counted
   bool has_walls = false;            ///< R1 lacked none, as far as is known
 };
 

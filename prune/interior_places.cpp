@@ -193,7 +193,7 @@ void divide_walls(const CellComplex& complex, const CellShape& shape, const std:
                                  [&](std::uint32_t t) { return meter.measure(t); });
   const std::vector<std::uint32_t>& walls = found.lacking;
   if (shape.memory != nullptr) {
-    shape.memory->wide_parts = found.wide_parts;
+    shape.memory->hull_parts = found.hull_parts;
     shape.memory->has_walls = walls.empty();
   }
   std::vector<std::uint8_t> is_in(walls.empty() ? 0 : r1.size(), 0);

@@ -51,7 +51,8 @@ class NaturalPruning {
     if (report.before.bodies < report.before.sections)
       report.joins = find_widest_ways(complex_, ground_, result.kept, bodies.of_ground,
                                       [&](std::uint32_t t) { return confidence_of(t); });
-    const bool good = !add_walls(r1, report.before.outsides, result.kept) && is_good(report, result.kept);
+    const bool good = !add_walls(r1, report.before.outsides - report.before.voids, result.kept) &&
+                      is_good(report, result.kept);
     std::vector<std::uint32_t> body_in_r1;
     if (may_doubt()) body_in_r1 = bodies_of(r1, bodies);
     const bool doubts = !body_in_r1.empty() && !is_surely_joined(bodies, body_in_r1, report.joins);
@@ -62,8 +63,7 @@ class NaturalPruning {
     if (doubts) decide_joins(r1, body_in_r1, cheapest, result);
     if (!requests_.joined.empty()) join_alone(r1, cheapest, result);
     if (!requests_.dropped.empty()) {
-      for (const TetName& tet : requests_.dropped)
-        report.dropped += drop_body(complex_, ground_, tet, result.kept) ? 1U : 0U;
+      report.dropped = drop_bodies(complex_, ground_, requests_.dropped, result.kept);
       report.after = count_topology(complex_, ground_, result.kept);
     } else if (report.after.bodies > 1) {
       report.spikes = spikes(result.kept);
@@ -103,11 +103,12 @@ class NaturalPruning {
   }
 
   /// Lets growth build walls that the cut left out though R1 has them; not where it was asked to leave
-  /// something open, nor where the outside has as many parts as the hull. False if there are none.
+  /// something open, nor where the outside has as many parts as the hull, none of them a void. False if there
+  /// are none.
   bool add_walls(const std::vector<std::uint8_t>& r1, std::uint32_t outsides,
                  std::vector<std::uint8_t>& allowed) {
-    const std::uint32_t wide = shape_.memory != nullptr ? shape_.memory->wide_parts : kNone;
-    if (!requests_.walls || !requests_.opened.empty() || outsides >= wide) return false;
+    const std::uint32_t parts = shape_.memory != nullptr ? shape_.memory->hull_parts : kNone;
+    if (!requests_.walls || !requests_.opened.empty() || outsides >= parts) return false;
     const Walls walls = find_walls(complex_, allowed, as_integer(kWallConfidence), [&](std::uint32_t t) {
       return r1[t] != 0 ? confidence_of(t) : -kCertain;
     });
@@ -186,19 +187,25 @@ class NaturalPruning {
       list_join(way.join, result.report.joins);
       ++result.report.joined_alone;
     }
-    if (result.report.joined_alone > 0) grow_on(r1, allowed, result);
+    // Where growth made a handle or left something open, what fills it might be filled in.
+    if (result.report.joined_alone > 0 && requests_.opened.empty() && result.report.handles == 0) {
+      grow_on(r1, allowed, result);
+    } else {
+      result.report.after = count_topology(complex_, ground_, result.kept);
+      result.report.opened = count_open(result.kept);
+    }
   }
 
-  /// The ways are a tetrahedron wide: what the cut has kept around them can come by now.
+  /// The ways are a tetrahedron wide: what the cut has kept around them can come by now. It joins nothing
+  /// more: other joins were decided before.
   void grow_on(const std::vector<std::uint8_t>& r1, std::vector<std::uint8_t>& allowed,
                NaturalResult& result) {
     measure_all(r1);
     GrowingSolid solid(complex_, ground_);
     for (std::uint32_t t = 0; t < allowed.size(); ++t)
       if (result.kept[t] != 0) allowed[t] = 1, solid.add(t);
-    const GrowthResult grown = grow_simply(complex_, ground_, allowed, confidence_, limits_, solid);
-    for (const Join& join : grown.joins)
-      if (join.done) list_join(join, result.report.joins);
+    const GrowthLimits limits{kCertain + 1, limits_.dome, {}, {}, 0, {}, requests_.cancel};
+    const GrowthResult grown = grow_simply(complex_, ground_, allowed, confidence_, limits, solid);
     result.report.domes.insert(result.report.domes.end(), grown.domes.begin(), grown.domes.end());
     result.report.after = refill_cracks(complex_, ground_, allowed, solid);
     result.kept = solid.kept();

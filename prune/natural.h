@@ -44,8 +44,9 @@ struct NaturalReport {
   bool grown = false;       ///< whether growth had to decide
   std::vector<Join> joins;  ///< done, the most confident first or in the order of growth; then refused ones
   std::vector<std::int32_t> domes;  ///< confidences of those that growth closed
-  std::uint32_t handles = 0;  ///< that the sections ask for: the genus of the result, which has less only
-                              ///< where sections touch in a point (CellTopology::outsides)
+  std::uint32_t handles = 0;        ///< that the sections ask for: the genus of the result, which has less
+                                    ///< where sections touch in a point (CellTopology::outsides), and
+                                    ///< where a body with one was dropped
   std::uint32_t joined_alone = 0;   ///< joins by request, of bodies that were alone
   std::uint32_t opened = 0;         ///< requests to leave open that came true
   std::uint32_t dropped = 0;        ///< spikes, by request
@@ -71,10 +72,11 @@ struct NaturalResult {
 
 /// (1) Confidences of the tetrahedra of R1 (confidence.h). (2) The cheapest subset of R1 (energy.h). (3)
 /// Where that has handles, holes, domes or joins that are not sure: growth from the sections within it by
-/// moves that make no handle but where the sections ask for one (simple_growth.h), and its cracks filled. (4)
-/// If the shape has a field: joins in doubt are decided by it, with growth again where that changes any
-/// (likely_joins.h). The result depends on the tetrahedra and vertex numbers alone, and on the field.
-/// REQUIRES: the ground is the complex's.
+/// moves that make no handle but where the sections ask for one (simple_growth.h), and its cracks filled;
+/// also where it lacks walls that R1 has (walls.h). (4) If the shape has a field: joins in doubt are decided
+/// by it, with growth again where that changes any (likely_joins.h). (5) Requested joins, filled in by
+/// growth, then requested drops. The result depends on the tetrahedra and vertex numbers alone, and on the
+/// field. REQUIRES: the ground is the complex's.
 NaturalResult prune_naturally(const CellComplex& complex, const Ground& ground, const CellShape& shape,
                               const std::vector<std::uint8_t>& r1, const NaturalOptions& options,
                               const CellRequests& requests);

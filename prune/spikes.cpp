@@ -52,15 +52,19 @@ std::vector<Spike> find_spikes(const CellComplex& complex, const Ground& ground,
   return list;
 }
 
-bool drop_body(const CellComplex& complex, const Ground& ground, const TetName& tet,
-               std::vector<std::uint8_t>& kept) {
-  const std::uint32_t start = tet_of_name(complex.mesh, tet);
-  if (start == kNone || kept[start] == 0) return false;
+std::uint32_t drop_bodies(const CellComplex& complex, const Ground& ground, std::vector<TetName> tets,
+                          std::vector<std::uint8_t>& kept) {
+  std::sort(tets.begin(), tets.end());
   Bodies bodies(complex, ground, kept);  // known from here on, whatever goes
-  const std::uint32_t body = bodies.of_tet(start);
+  std::vector<std::uint32_t> dropped;
   for (std::uint32_t t = 0; t < kept.size(); ++t)
-    if (kept[t] != 0 && bodies.of_tet(t) == body) kept[t] = 0;
-  return true;
+    if (kept[t] != 0 && std::binary_search(tets.begin(), tets.end(), sorted_vertices(complex.mesh, t)))
+      dropped.push_back(bodies.of_tet(t));
+  std::sort(dropped.begin(), dropped.end());
+  dropped.erase(std::unique(dropped.begin(), dropped.end()), dropped.end());
+  for (std::uint32_t t = 0; t < kept.size(); ++t)
+    if (kept[t] != 0 && std::binary_search(dropped.begin(), dropped.end(), bodies.of_tet(t))) kept[t] = 0;
+  return static_cast<std::uint32_t>(dropped.size());
 }
 
 }  // namespace crossloft

@@ -24,13 +24,15 @@ struct Spike {
 };
 
 /// Those whose tetrahedra are all less sure than `limit`, by their smallest ground triangles. `confidence`:
-/// of a tetrahedron. O(n), and a confidence for each tetrahedron of a body on one face until one is sure.
+/// of a tetrahedron. O(n log n), and a confidence for each tetrahedron of a body on one face until one is
+/// sure.
 std::vector<Spike> find_spikes(const CellComplex& complex, const Ground& ground,
                                const std::vector<std::uint8_t>& kept, std::int32_t limit,
                                const std::function<std::int32_t(std::uint32_t)>& confidence);
 
-/// Takes away the body that the tetrahedron is part of; its section is bare then. False if that is not kept.
-bool drop_body(const CellComplex& complex, const Ground& ground, const TetName& tet,
-               std::vector<std::uint8_t>& kept);
+/// Takes away the bodies that these tetrahedra are part of, as far as they are kept; their sections are bare
+/// then. Returns how many there were. O(n + n log k) for k tetrahedra.
+std::uint32_t drop_bodies(const CellComplex& complex, const Ground& ground, std::vector<TetName> tets,
+                          std::vector<std::uint8_t>& kept);
 
 }  // namespace crossloft

@@ -177,9 +177,8 @@ Walls find_walls(const CellComplex& complex, const std::vector<std::uint8_t>& so
                  const std::function<std::int32_t(std::uint32_t)>& confidence) {
   const HullParts hull(complex);
   Walls walls;
-  walls.wide_parts =
-      static_cast<std::uint32_t>(std::count(hull.wide().begin(), hull.wide().end(), std::uint8_t{1}));
-  if (walls.wide_parts < 2) return walls;
+  walls.hull_parts = hull.count();
+  if (std::count(hull.wide().begin(), hull.wide().end(), std::uint8_t{1}) < 2) return walls;
   std::vector<std::uint8_t> outside(solid.size());
   for (std::uint32_t t = 0; t < solid.size(); ++t) outside[t] = solid[t] == 0 ? 1 : 0;
   if (!connects_wide_parts(complex, hull, outside)) return walls;

@@ -17,7 +17,7 @@ namespace crossloft {
 inline constexpr double kWallConfidence = -0.3;
 
 struct Walls {
-  std::uint32_t wide_parts = 0;  ///< of the hull outside of the sections, as many as walls part
+  std::uint32_t hull_parts = 0;  ///< of the hull outside of the sections, wide or not
   std::vector<std::uint32_t> lacking;
 };
 

@@ -29,14 +29,21 @@ std::vector<GroundTriangle> ground_under(const BuiltCell& cell, const std::vecto
 
 std::vector<SpikeOnFace> spikes_of(const BuiltCell& cell, const NaturalReport& report) {
   std::vector<SpikeOnFace> list;
+  if (report.spikes.empty()) return list;
+  std::vector<std::uint32_t> spike_of(cell.complex.mesh.size(), kNone);
   for (const Spike& spike : report.spikes) {
-    std::vector<std::uint8_t> is_in(cell.complex.mesh.size(), 0);
-    for (const std::uint32_t t : spike.tets) is_in[t] = 1;
-    TetName name = cell.complex.mesh.vertices[spike.tets[0]];
-    for (std::uint32_t& v : name) v = cell.vertices[v];
-    std::sort(name.begin(), name.end());
-    list.push_back({spike.confidence, name, ground_under(cell, is_in)});
+    for (const std::uint32_t t : spike.tets) spike_of[t] = static_cast<std::uint32_t>(list.size());
+    TetName name = sorted_vertices(cell.complex.mesh, spike.tets[0]);
+    for (std::uint32_t& v : name) v = cell.vertices[v];  // ascending too
+    list.push_back({spike.confidence, name, {}});
   }
+  auto next = cell.ground.begin();
+  for (std::size_t t = 0; t < spike_of.size(); ++t)
+    for (const FacetKind kind : cell.complex.facets[t]) {
+      if (kind != FacetKind::internal) continue;
+      if (spike_of[t] != kNone) list[spike_of[t]].ground.push_back(*next);
+      ++next;
+    }
   return list;
 }
 
@@ -369,6 +376,7 @@ Result<CellBranching> Pipeline::branch(CellId id, CellState& state) {
 void CellState::begin_anew() {
   due = true;
   waiting.reset();
+  spikes.clear();
   if (inside.empty()) return;
   inside.clear(), interior.clear();
   triangulation.reset();

@@ -15,6 +15,8 @@ void CellState::renumber(std::span<const std::uint32_t> number) {
   if (waiting)
     for (std::uint32_t& v : waiting->built.vertices) v = number[v];
   crossloft::renumber(bridges, number);
+  for (SpikeOnFace& spike : spikes)
+    for (std::uint32_t& v : spike.tet) v = number[v];
   for (auto& tet : tets)
     for (std::uint32_t& v : tet) v = number[v];
 }

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "../../inspect/check.h"
+#include "columns.h"
 #include "scenes.h"
 #include "shuffled.h"
 
@@ -10,31 +11,6 @@ using namespace crossloft;
 using namespace crossloft::test;
 
 namespace {
-
-constexpr double kApart = 3;  ///< planes
-
-void add_circle(PlaneSection& plane, double x, double radius, std::uint32_t corners, std::uint32_t contour) {
-  const auto first = static_cast<std::uint32_t>(plane.vertices.size());
-  for (std::uint32_t i = 0; i < corners; ++i) {
-    const double angle = 2 * M_PI * i / corners;
-    plane.vertices.push_back({x + radius * std::cos(angle), radius * std::sin(angle), -plane.offset});
-    plane.edges.push_back({first + i, first + (i + 1) % corners, 1, 0, contour});
-  }
-}
-
-/// A column by eight planes, and beside it, at x, a thin one in those from `first` to `last`.
-Sections column_and_short_one(double x, std::uint32_t first, std::uint32_t last) {
-  Sections sections;
-  for (std::uint32_t k = 0; k < 8; ++k) {
-    PlaneSection plane;
-    plane.normal = {0, 0, 1};
-    plane.offset = -kApart * k;
-    add_circle(plane, 0, 20, 60, 0);
-    if (k >= first && k <= last) add_circle(plane, x, 2, 12, 1);
-    sections.planes.push_back(plane);
-  }
-  return sections;
-}
 
 Reconstruction rebuilt(const Sections& sections, PruneMode mode = PruneMode::natural) {
   Options options;
@@ -70,6 +46,17 @@ TEST_CASE("a section in one plane alone keeps one spike, rather than to be flat"
   const double area = 12 * std::sin(M_PI / 6) / 2 * 4,
                column = 7 * kApart * 60 * std::sin(M_PI / 30) / 2 * 400;
   CHECK(r.report.volume == doctest::Approx(column + kApart * area / 3).epsilon(1e-9));
+}
+
+TEST_CASE("spikes go too where samples elsewhere change the numbers after them") {
+  for (const double x : {-100.0, 100.0}) {
+    CAPTURE(x);
+    Sections sections = column_and_short_one(35, 3, 4);
+    add_ring_and_disk(sections, x);
+    const Reconstruction r = rebuilt(sections);
+    CHECK(r.report.branching_samples > 0);
+    CHECK(r.report.topology.spikes_dropped == 2);
+  }
 }
 
 TEST_CASE("spikes that go leave no trace of order and threads") {

@@ -16,6 +16,7 @@
 #include "../../inspect/slice.h"
 #include "../../inspect/solids.h"
 #include "../../reconstruct/glue.h"
+#include "columns.h"
 
 using namespace crossloft;
 
@@ -566,4 +567,13 @@ TEST_CASE("A contour that is dropped does not count, even if it is off its plane
   wide.vertices.insert(wide.vertices.end(), {{7, 3, kStep * 9}, {9, 5, kStep * 9}, {8, 4, kStep * 9}});
   for (std::uint32_t i = 0; i < 3; ++i) wide.edges.push_back({4 + i, 4 + (i + 1) % 3, 1, 0, 1, 0});
   check_streamed(sections, {}, 4);
+}
+
+TEST_CASE("a body that ends beside another one ends alike in a stream, with samples elsewhere too") {
+  for (const double x : {-100.0, 100.0}) {
+    CAPTURE(x);
+    Sections sections = test::column_and_short_one(35, 9, 10, 24);
+    test::add_ring_and_disk(sections, x);
+    CHECK(check_streamed(sections).report.topology.spikes_dropped == 2);
+  }
 }
