@@ -170,7 +170,7 @@ void add_limits(CLI::App& command, Arguments& a) {
                   "a section vertex further from its plane is an error, as in reconstruct; a fraction of the "
                   "diagonal")
       ->capture_default_str()
-      ->check(CLI::Range(0.0, 0.1));
+      ->check(number_in(0, 0.1));
 }
 
 }  // namespace

@@ -3,17 +3,12 @@
 
 #include <vector>
 
-#include "../geom/vec3.h"
+#include "../geom/unit_plane.h"
 
 namespace crossloft {
 
-/// The half space { normal.p + offset >= 0 } that a face bounds, the cell inside; |normal| = 1.
-struct FacePlane {
-  Vec3 normal;
-  double offset = 0;
-
-  double height(Vec3 p) const { return dot(normal, p) + offset; }
-};
+/// Bounds the half space of heights >= 0, the cell inside.
+using FacePlane = UnitPlane;
 
 class LazySectionField;
 struct CellMemory;

@@ -36,20 +36,21 @@ Result<Done> Pipeline::drop_spikes() {
   for (std::uint32_t c = 0; c < cells_.size(); ++c)
     if (cells_[c].report.tets_r0 != 0) cover(CellId{c}, cells_[c].ground);
   bool changes = false;
-  for (const auto& [c, spike] : spikes) {
-    const std::vector<FaceId> ids = inner_faces(CellId{c});
+  for (const SpikeInCell& s : spikes) {
+    const std::vector<FaceId> ids = inner_faces(CellId{s.cell});
     const auto side = [&](const GroundTriangle& g) {
-      return arrangement_->cells_of(ids[g.face])[0] == CellId{c} ? 0U : 1U;
+      return arrangement_->cells_of(ids[g.face])[0] == CellId{s.cell} ? 0U : 1U;
     };
-    const auto covered = [&](const GroundTriangle& g, unsigned s) -> auto& {
-      return faces_[ids[g.face].value].covered[s][g.triangle];
+    const auto covered = [&](const GroundTriangle& g, unsigned of) -> auto& {
+      return faces_[ids[g.face].value].covered[of][g.triangle];
     };
-    if (!std::all_of(spike->ground.begin(), spike->ground.end(),
+    const std::vector<GroundTriangle>& ground = s.spike->ground;
+    if (!std::all_of(ground.begin(), ground.end(),
                      [&](const GroundTriangle& g) { return covered(g, 1 - side(g)) != 0; }))
       continue;
-    for (const GroundTriangle& g : spike->ground) covered(g, side(g)) = 0;
-    cells_[c].asked.dropped.push_back(spike->tet);
-    cells_[c].due = changes = true;
+    for (const GroundTriangle& g : ground) covered(g, side(g)) = 0;
+    cells_[s.cell].asked.dropped.push_back(s.spike->tet);
+    cells_[s.cell].due = changes = true;
   }
   return changes ? prune_again() : Result<Done>(Done{});
 }

@@ -16,7 +16,8 @@ namespace crossloft {
 namespace {
 
 /// Planes that a window sees beyond those it is for: what bare or branching sections, bridges and the second
-/// look do reaches two slabs, and a seam may lie two planes away from where it was meant to be.
+/// look do reaches two slabs, and a seam may lie two planes away from where it was meant to be. A spike goes
+/// by what the slab beyond it keeps, so one slab farther.
 constexpr std::uint32_t kOverlap = 4;
 /// Seams that are tried, one after the other, as ways from where it was meant to be.
 constexpr std::int32_t kSeams[] = {0, 1, -1, 2, -2};
