@@ -36,6 +36,14 @@ CLI::Validator number_in(double low, double high) {
   return CLI::Validator(check, range);
 }
 
+void add_plane_tolerance(CLI::App& command, double& value) {
+  command
+      .add_option("--plane-tolerance", value,
+                  "a section vertex further from its plane is an error; a fraction of the diagonal")
+      ->capture_default_str()
+      ->check(number_in(0, 0.1));
+}
+
 const CLI::Validator& is_whole_number() {
   static const CLI::Validator validator(
       [](const std::string& text) -> std::string {

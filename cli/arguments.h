@@ -29,6 +29,9 @@ inline const CLI::Validator& is_solid_file() {
 /// Accepts numbers from `low` to `high`. Not a number is none, which CLI::Range would let pass.
 CLI::Validator number_in(double low, double high);
 
+/// --plane-tolerance as all but repair take it: frame_sections() refuses what is further off.
+void add_plane_tolerance(CLI::App& command, double& value);
+
 /// Accepts whole numbers from 0 to 2^64 - 1, which CLI11 would take modulo 2^64.
 const CLI::Validator& is_whole_number();
 

@@ -165,12 +165,7 @@ void add_limits(CLI::App& command, Arguments& a) {
           "needs as much as that was given")
       ->capture_default_str()
       ->check(number_in(0, 0.1));
-  command
-      .add_option("--plane-tolerance", a.options.plane_tolerance,
-                  "a section vertex further from its plane is an error, as in reconstruct; a fraction of the "
-                  "diagonal")
-      ->capture_default_str()
-      ->check(number_in(0, 0.1));
+  add_plane_tolerance(command, a.options.plane_tolerance);
 }
 
 }  // namespace

@@ -79,11 +79,7 @@ void add_info(CLI::App& program, ExitCode& outcome) {
       program, "info", "What a file of cross-sections holds, and how well its planes agree.",
       "crossloft info bear.contour", [&outcome](const Arguments& arguments) { outcome = run(arguments); });
   command->add_option("FILE", a.input, "cross-sections")->required()->check(is_sections_file());
-  command
-      ->add_option("--plane-tolerance", a.plane_tolerance,
-                   "a vertex further from its plane is an error; a fraction of the diagonal")
-      ->capture_default_str()
-      ->check(number_in(0.0, 1.0));
+  add_plane_tolerance(*command, a.plane_tolerance);
 }
 
 }  // namespace crossloft::cli

@@ -15,10 +15,9 @@ namespace {
 using namespace crossloft::cli;
 
 constexpr const char* kExitCodes =
-    "Exit codes: 0 good, 1 a promise does not hold (after a repair: something is left as it was, or a "
-    "contour\n"
-    "was left out), 2 usage, 3 a file is not readable, not valid or not writable, 4 a defect of the program\n"
-    "or no memory left, 130 interrupted.";
+    "Exit codes: 0 good, 1 a promise does not hold (after a repair: something is left as it was, or a\n"
+    "contour was left out), 2 usage, 3 a file is not readable, not valid or not writable, 4 a defect of the\n"
+    "program or no memory left, 130 interrupted.";
 
 /// Help and version are printed and good; everything else is one message and usage.
 ExitCode report_parse_error(const CLI::App& program, const CLI::ParseError& error) {

@@ -144,8 +144,7 @@ void add_natural_options(CLI::App& command, NaturalOptions& natural) {
       ->check(number_in(0.0, kLargestSmoothWeight));
   add_where(command, "--divide", natural.divide,
             "natural: points inside cells, where sections can't be joined or much is lost without: auto "
-            "where planes "
-            "meet in the cell; all not with --stream");
+            "where planes meet in the cell; all not with --stream");
   add_where(command, "--look-around", natural.look_around,
             "natural: where it is in doubt whether sections are joined in a cell, ask the planes around it: "
             "auto where planes meet in the cell; all not with --stream");
@@ -224,11 +223,7 @@ void add_tolerances(CLI::App& command, Arguments& a) {
           "crossings of two sections on their common line this near are one; a fraction of the diagonal")
       ->capture_default_str()
       ->check(number_in(0.0, 1.0));
-  command
-      .add_option("--plane-tolerance", a.options.plane_tolerance,
-                  "a vertex further from its plane is an error; a fraction of the diagonal")
-      ->capture_default_str()
-      ->check(number_in(0.0, 0.1));
+  add_plane_tolerance(command, a.options.plane_tolerance);
   command
       .add_option("--simplify", a.options.simplify,
                   "leave out contour vertices that a straight edge replaces this closely; a fraction of the "

@@ -20,14 +20,20 @@ constexpr Vec3 cross(Vec3 a, Vec3 b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-/// norm() by way of a power of two, for vectors whose squares leave the range of doubles.
+/// Times 2^-exponent, which brings the largest coordinate to [0.5, 1): products of coordinates neither
+/// overflow nor vanish. REQUIRES: finite.
+inline Vec3 to_unit_size(Vec3 a, int& exponent) {
+  std::frexp(std::max({std::fabs(a.x), std::fabs(a.y), std::fabs(a.z)}), &exponent);
+  return {std::ldexp(a.x, -exponent), std::ldexp(a.y, -exponent), std::ldexp(a.z, -exponent)};
+}
+
+/// norm() of vectors whose squares leave the range of doubles.
 inline double scaled_norm(Vec3 a) {
   const double largest = std::max({std::fabs(a.x), std::fabs(a.y), std::fabs(a.z)});
   if (largest == 0 || !std::isfinite(largest)) return largest;
-  int e = 0;
-  std::frexp(largest, &e);
-  const Vec3 scaled{std::ldexp(a.x, -e), std::ldexp(a.y, -e), std::ldexp(a.z, -e)};
-  return std::ldexp(std::sqrt(dot(scaled, scaled)), e);
+  int exponent = 0;
+  const Vec3 scaled = to_unit_size(a, exponent);
+  return std::ldexp(std::sqrt(dot(scaled, scaled)), exponent);
 }
 
 /// Euclidean length, whatever the squares are; sqrt is correctly rounded everywhere, hence deterministic.

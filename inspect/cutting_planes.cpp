@@ -1,6 +1,5 @@
 #include <cmath>
 
-#include "../geom/unit_size.h"
 #include "circle.h"
 #include "random.h"
 #include "slice.h"
@@ -12,7 +11,8 @@ CuttingPlane plane_through(const Vec3& point, const Vec3& normal) { return {norm
 
 /// REQUIRES: finite, not 0; of any length.
 Vec3 unit(const Vec3& direction) {
-  const Vec3 d = to_unit_size(direction);
+  int exponent = 0;
+  const Vec3 d = to_unit_size(direction, exponent);
   return (1 / norm(d)) * d;
 }
 

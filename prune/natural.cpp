@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "confidence.h"
 #include "cracks.h"
@@ -51,17 +52,19 @@ class NaturalPruning {
     if (report.before.bodies < report.before.sections)
       report.joins = find_widest_ways(complex_, ground_, result.kept, bodies.of_ground,
                                       [&](std::uint32_t t) { return confidence_of(t); });
-    const bool good = !add_walls(r1, report.before.outsides - report.before.voids, result.kept) &&
-                      is_good(report, result.kept);
+    std::vector<std::uint8_t> allowed = result.kept;
+    const bool lacks_walls = add_walls(r1, report.before.outsides - report.before.voids, allowed);
+    const bool good = is_good(report, result.kept);
     std::vector<std::uint32_t> body_in_r1;
     if (may_doubt()) body_in_r1 = bodies_of(r1, bodies);
     const bool doubts = !body_in_r1.empty() && !is_surely_joined(bodies, body_in_r1, report.joins);
-    if (!good) measure_all(r1);
-    const bool goes_on = doubts || !requests_.joined.empty();
-    const std::vector<std::uint8_t> cheapest = goes_on ? result.kept : std::vector<std::uint8_t>{};
-    if (!good) grow(result, limits_);
-    if (doubts) decide_joins(r1, body_in_r1, cheapest, result);
-    if (!requests_.joined.empty()) join_alone(r1, cheapest, result);
+    if (!good || lacks_walls) measure_all(r1);
+    if (!good)
+      result.kept = allowed, grow(result, limits_);
+    else if (lacks_walls)
+      build_walls(allowed, result);
+    if (doubts) decide_joins(r1, body_in_r1, allowed, result);
+    if (!requests_.joined.empty()) join_alone(r1, std::move(allowed), result);
     if (!requests_.dropped.empty()) {
       report.dropped = drop_bodies(complex_, ground_, requests_.dropped, result.kept);
       report.after = count_topology(complex_, ground_, result.kept);
@@ -114,6 +117,14 @@ class NaturalPruning {
     });
     for (const std::uint32_t t : walls.lacking) allowed[t] = 1;
     return !walls.lacking.empty();
+  }
+
+  /// What the cut has left stays unless growth closes something off.
+  void build_walls(const std::vector<std::uint8_t>& allowed, NaturalResult& result) {
+    NaturalResult grown = result;
+    grown.kept = allowed;
+    grow(grown, limits_);
+    if (grown.report.after.outsides > result.report.after.outsides) result = std::move(grown);
   }
 
   /// Not where the user has decided: of single sections, or by a limit that leaves no doubt.

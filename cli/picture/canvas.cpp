@@ -1,7 +1,5 @@
 #include "canvas.h"
 
-#include "../../geom/unit_size.h"
-
 namespace crossloft::cli {
 namespace {
 
@@ -15,7 +13,8 @@ std::uint8_t srgb(float linear) {
 
 View view_from(Vec3 toward) {
   View view;
-  toward = to_unit_size(toward);
+  int exponent = 0;  // of any length
+  toward = to_unit_size(toward, exponent);
   view.toward = (1 / norm(toward)) * toward;
   view.right = cross({0, 0, 1}, view.toward);
   if (view.right == Vec3{}) view.right = {view.toward.z, 0, 0};

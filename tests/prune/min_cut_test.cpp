@@ -412,4 +412,10 @@ TEST_CASE("once the flag is raised nothing is looked for any more") {
   const std::atomic<bool> raised{true};
   problem.cancel = &raised;
   CHECK(minimum_cut(problem).value == 0);
+  unsigned closest = 0;
+  smallest_cheapest(problem, [&](std::uint32_t, unsigned step) {
+    closest = std::max(closest, step);
+    return PriceRange{-9, 9};
+  });
+  CHECK(closest == 0);
 }

@@ -9,6 +9,7 @@
 #include "cells.h"
 #include "prune/confidence.h"
 #include "prune/energy.h"
+#include "prune/interior_places.h"
 #include "prune/outside.h"
 #include "prune/prune.h"
 #include "prune/section_field.h"
@@ -175,6 +176,27 @@ TEST_CASE("random cells: joins in doubt make no handle and do not depend on numb
   MESSAGE("changed " << changed << " of 300");
   CHECK(changed > 20);
   CHECK(changed < 280);
+}
+
+TEST_CASE("whether walls are looked for does not depend on what memory knows of the hull") {
+  // Of 150,000 random cells those in which they are, one of them beside a hole that is closed over.
+  std::size_t matter = 0;
+  for (const std::uint32_t seed : {1414U, 25069U, 35624U, 66704U, 78172U, 115330U, 141784U}) {
+    CAPTURE(seed);
+    PlacedCell cell = placed_cell(seed);
+    NaturalOptions options;
+    options.smooth_weight = seed > 100000 ? 1 : 3;
+    CellRequests none;
+    none.walls = false;
+    const Flags kept = prune_cell(cell, options).kept;
+    matter += kept != prune(cell.complex, cell.shape, {PruneMode::natural, options}, none).kept ? 1 : 0;
+    CellMemory memory;
+    cell.shape.memory = &memory;
+    interior_places(cell.complex, cell.shape, Ground(cell.complex), -kCertain);
+    REQUIRE(memory.hull_parts != kNone);
+    CHECK(kept == prune_cell(cell, options).kept);
+  }
+  CHECK(matter > 5);
 }
 
 TEST_CASE("random cells: with good links and ground everywhere a set is solid") {

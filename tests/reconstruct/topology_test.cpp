@@ -175,6 +175,13 @@ TEST_CASE("two balls with a gap stay two where several planes meet both in a cel
   }
 }
 
+TEST_CASE("between parts of the outside that several planes show there is a wall, where R1 has none, too") {
+  const Surface mesh = gyroid_solid();
+  const Reconstruction r = cut_and_rebuild(mesh, random_planes(bounds_of(mesh.points), 40, 12));
+  CHECK(check_surface(r.surface).genus == 2);  // 3 without walls
+  CHECK(r.report.topology.handles == 0);
+}
+
 TEST_CASE("handles that joint makes are gone, and every section is still met") {
   const Surface mesh = genus2_solid(40);
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {
