@@ -181,6 +181,29 @@ TEST_CASE("a raised cancel flag ends the work") {
   CHECK(r.error().code == ErrorCode::cancelled);
 }
 
+TEST_CASE("a flag raised at any report of progress ends the work") {
+  Sections s = stack();
+  s.planes.push_back(disk({1, 0, 0}, {0, 0, 0}, 1));
+  Options options;
+  options.simplify = 1e-3;
+  options.thicken = 1e-2;
+  std::size_t reports = 0;
+  Context context;
+  context.progress = [&](std::string_view, double) { ++reports; };
+  REQUIRE(reconstruct(s, options, context).ok());
+  REQUIRE(reports > 10);
+  for (std::size_t raising = 0; raising < reports; ++raising) {
+    CAPTURE(raising);
+    std::atomic<bool> cancel{false};
+    std::size_t heard = 0;
+    context.cancel = &cancel;
+    context.progress = [&](std::string_view, double) { if (heard++ == raising) cancel = true; };
+    const auto r = reconstruct(s, options, context);
+    REQUIRE_FALSE(r.ok());
+    CHECK(r.error().code == ErrorCode::cancelled);
+  }
+}
+
 TEST_CASE("pencils, four planes through a point, contours along common lines") {
   Sections pencil;  // half disks would contradict: whole disks around the common axis
   for (const Vec3& n : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{1, 1, 0}, Vec3{1, -2, 0}})
