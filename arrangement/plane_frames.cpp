@@ -120,12 +120,13 @@ class Framer {
     const std::vector<std::uint32_t> bound = bound_among(p.planes);
     const LatticeVector wanted = quantise_direction(p.direction);
     LatticeVector axis;
-    if (bound.empty())
+    if (bound.empty()) {
       axis = fit_axis(wanted, radius_);
-    else if (bound.size() == 1)
-      axis = fit_axis_in_plane(wanted, planes_[bound[0]].normal, radius_);
-    else if (!axis_of(planes_[bound[0]], planes_[bound[1]], axis))
+    } else if (bound.size() == 1) {
+      if (!fit_axis_in_plane(wanted, planes_[bound[0]].normal, radius_, axis)) return;
+    } else if (!axis_of(planes_[bound[0]], planes_[bound[1]], axis)) {
       return;
+    }
     std::optional<LatticeVector> point = common_anchor(p);
     if (!point || !bound.empty()) point = point_on(bound, p.point);
     if (!point) return;

@@ -45,8 +45,9 @@ class BoxTree {
     if (!empty()) self_pairs(0, visit);
   }
 
-  /// Smallest distance2(item), which must not be less than the squared distance to the item's box; `bound` if
-  /// none is smaller. A good bound saves time.
+  /// Smallest distance2(item), `bound` if none is smaller. Where rounding makes it less than the squared
+  /// distance to the item's box, it is raised to that: so it does not depend on the order of the visits, as
+  /// rounded distances to boxes never are less for a box within another one. A good bound saves time.
   template <class Distance2>
   double nearest(const Vec3& p, Distance2&& distance2, double bound = Bounds::kFar) const {
     if (!empty()) closest(0, p, distance2, bound);
@@ -121,7 +122,8 @@ class BoxTree {
     const Node& node = nodes_[at];
     if (node.right == 0) {
       for (std::uint32_t i = node.begin; i < node.end; ++i)
-        if (squared_distance(items_[i].box, p) < best) best = std::min(best, distance2(items_[i].id));
+        if (const double least = squared_distance(items_[i].box, p); least < best)
+          best = std::min(best, std::max(least, static_cast<double>(distance2(items_[i].id))));
       return;
     }
     const double left = squared_distance(nodes_[at + 1].box, p),

@@ -174,11 +174,15 @@ LatticeVector fit_axis(const LatticeVector& direction, std::int64_t radius) {
   return fit(basis, direction, radius, kAxisLimit, axis_cost);
 }
 
-LatticeVector fit_axis_in_plane(const LatticeVector& direction, const LatticeVector& normal,
-                                std::int64_t radius) {
+bool fit_axis_in_plane(const LatticeVector& direction, const LatticeVector& normal, std::int64_t radius,
+                       LatticeVector& axis) {
   const Kernel k = kernel_of(normal);
   std::array<WideVector, 2> basis{k.a, k.b};
-  return fit(basis, without_part_along(direction, normal), radius, kAxisLimit, axis_cost);
+  const LatticeVector wanted = without_part_along(direction, normal);
+  axis = fit(basis, wanted, radius, kAxisLimit, axis_cost);
+  const WideVector a = widen(axis), d = widen(wanted);
+  const Wide along = dot(a, d);
+  return 2 * along * along > norm2(a) * norm2(d);  // not of (0, 0, 0), where none is short enough
 }
 
 LatticeVector fit_normal_around(const LatticeVector& direction, const LatticeVector& axis,

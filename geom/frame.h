@@ -26,9 +26,10 @@ LatticeVector quantise_direction(Vec3 v);
 LatticeVector fit_normal(const LatticeVector& direction, std::int64_t radius);
 /// The vector with the least max(radius x angle to the direction, half its length): the axis of a pencil.
 LatticeVector fit_axis(const LatticeVector& direction, std::int64_t radius);
-/// As before among the vectors of a plane with this normal. REQUIRES: not along the normal.
-LatticeVector fit_axis_in_plane(const LatticeVector& direction, const LatticeVector& normal,
-                                std::int64_t radius);
+/// As before among the vectors of a plane with this normal; false if of those that are short enough to be an
+/// axis, 2^30, none is within 45 degrees of the direction. REQUIRES: not along the normal.
+bool fit_axis_in_plane(const LatticeVector& direction, const LatticeVector& normal, std::int64_t radius,
+                       LatticeVector& axis);
 /// As fit_normal among the normals of planes that contain the axis. REQUIRES: not along the axis.
 LatticeVector fit_normal_around(const LatticeVector& direction, const LatticeVector& axis,
                                 std::int64_t radius);

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 #include "two_sum.h"
 
@@ -22,13 +23,19 @@ Vec3 scale(Vec3 v, int exponent) {
   return {std::ldexp(v.x, exponent), std::ldexp(v.y, exponent), std::ldexp(v.z, exponent)};
 }
 double largest(Vec3 v) { return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}); }
-Vec3 round_up_half(Vec3 v) { return {std::floor(v.x + 0.5), std::floor(v.y + 0.5), std::floor(v.z + 0.5)}; }
+/// Not floor(v + 0.5), whose sum may round up.
+double round_up_half(double v) {
+  const double below = std::floor(v);
+  return v - below >= 0.5 ? below + 1 : below;
+}
+Vec3 round_up_half(Vec3 v) { return {round_up_half(v.x), round_up_half(v.y), round_up_half(v.z)}; }
 
 }  // namespace
 
 WorldGrid::WorldGrid(Vec3 low, Vec3 high) {
-  // Halved before the subtraction, which could overflow.
-  const double half = largest(scale(high, -1) - scale(low, -1));
+  // Halved before the subtraction, which could overflow; halves of the smallest doubles may vanish.
+  double half = largest(scale(high, -1) - scale(low, -1));
+  if (half == 0 && low != high) half = std::numeric_limits<double>::denorm_min();
   int bits = 0;  // half < 2^bits
   std::frexp(half == 0 ? 1.0 : half, &bits);
   exponent_ = kDataBits - bits;
@@ -49,8 +56,9 @@ Vec3 WorldGrid::from_lattice(const LatticePoint& p) const {
 double WorldGrid::unit() const { return std::ldexp(1.0, -exponent_); }
 
 bool WorldGrid::exact() const {
-  return exponent_ <= kSmallestExponent &&
-         largest(shift_) + static_cast<double>(kLatticeLimit) <= kExactIntegers;
+  const double farthest = largest(shift_) + static_cast<double>(kLatticeLimit);
+  return exponent_ <= kSmallestExponent && farthest <= kExactIntegers &&
+         std::isfinite(std::ldexp(farthest, -exponent_));
 }
 
 bool WorldGrid::exact_at(const LatticePoint& p) const {

@@ -28,7 +28,8 @@ Wide round_quotient(const Wide& n, const Wide& d);
 /// The quadratic form |x|^2 + 4^weight |x x d|^2 / |2^46|^2, scaled to integers: short vectors are both short
 /// and close to the direction d; the larger the weight, the closer and the longer. d has |d_k| <= 2^46.
 /// For a basis that starts from unit vectors and only ever gets shorter, values stay below 2^122; for one
-/// that starts in the kernel of an axis of at most 2^30, below 2^190.
+/// that starts in the kernel of an axis of at most 2^30, below 2^190, in that of a normal of at most 2^40,
+/// below 2^210.
 class DirectionForm {
  public:
   DirectionForm(const LatticeVector& direction, int weight);

@@ -11,16 +11,20 @@ namespace crossloft {
 
 bool parallel_for(std::size_t count, const Context& context, std::string_view stage,
                   const std::function<void(std::size_t)>& work) {
-  std::atomic<std::size_t> next{0};
+  std::atomic<std::size_t> next{0}, done{0};
+  std::size_t told = 0;
+  const auto report = [&] {
+    told = done.load();
+    context.report(stage, static_cast<double>(told) / static_cast<double>(count));
+  };
   SharedFailure failure;
   const auto may_go_on = [&] { return !context.cancelled() && !failure.failed(); };
   const auto drain = [&](unsigned k) {
     failure.keep_from([&] {
       for (std::size_t i; may_go_on() && (i = next.fetch_add(1, std::memory_order_relaxed)) < count;) {
         work(i);
-        if (k == 0)
-          context.report(stage,
-                         static_cast<double>(std::min(count, next.load())) / static_cast<double>(count));
+        done.fetch_add(1);
+        if (k == 0) report();
       }
     });
   };
@@ -32,6 +36,7 @@ bool parallel_for(std::size_t count, const Context& context, std::string_view st
   drain(0);
   for (std::thread& worker : workers) worker.join();
   failure.pass_on();
+  if (done.load() == count && told < count) report();  // other threads had the last ones
   return !context.cancelled();
 }
 

@@ -91,11 +91,13 @@ template <class Shape, class... Rows>
   return residue_sign<Shape, kDifferenceBits>(2 * bound, integers(rows)...);
 }
 
-/// Adds up the distances of coordinates to integers: 0 for integers, NaN for NaN and infinity. Beyond 2^52
-/// all doubles are integers and adding kShifter may round, which finds some distance or none.
+/// Adds up the distances of coordinates to integers: 0 for integers, NaN for NaN and infinity. A size below
+/// 2^52 and kShifter add up to 2^52..2^53, where doubles are the integers. Beyond, all doubles are integers
+/// and the sum may round, which finds some distance or none.
 inline double distance_to_integer(double v) {
-  constexpr double kShifter = 0x1.8p52;
-  return std::fabs((v + kShifter) - kShifter - v);
+  constexpr double kShifter = 0x1p52;
+  const double size = std::fabs(v);
+  return std::fabs((size + kShifter) - kShifter - size);
 }
 inline double distance_to_integers(const Vec3& p) {
   return distance_to_integer(p.x) + distance_to_integer(p.y) + distance_to_integer(p.z);

@@ -75,3 +75,43 @@ TEST_CASE("boxes in one place, or ever nearer together, or at the end of the dou
     check_tree(points(count, [](std::uint32_t i) { return 5e307 + 4e306 * (i % 9); }), queries);
   }
 }
+
+TEST_CASE(
+    "the nearest one does not depend on the order of items whose distances round below those of boxes") {
+  struct Segment {
+    Vec3 a, b;
+  };
+  // The vector to the end b is rounded twice this way.
+  const auto distance2 = [](const Segment& s, Vec3 p) {
+    const Vec3 along = s.b - s.a, x = p - s.a;
+    const double t = std::clamp(dot(x, along) / dot(along, along), 0.0, 1.0);
+    const Vec3 away = x - t * along;
+    return dot(away, away);
+  };
+  std::mt19937 random(11);
+  const auto coordinate = [&] { return static_cast<double>(random() % 100000) / 99991; };
+  std::vector<Segment> segments;
+  std::vector<Vec3> corners;
+  for (int i = 0; i < 24; ++i) corners.push_back({coordinate(), coordinate(), 0});
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    segments.push_back({corners[i], corners[(i + 1) % corners.size()]});
+  std::vector<Vec3> queries;
+  for (int i = 0; i < 20000; ++i)
+    queries.push_back({3 * coordinate() - 1, 3 * coordinate() - 1, coordinate()});
+  const auto nearest = [&] {
+    std::vector<Bounds> boxes(segments.size());
+    for (std::size_t i = 0; i < segments.size(); ++i)
+      boxes[i].add(segments[i].a), boxes[i].add(segments[i].b);
+    const BoxTree tree(boxes);
+    std::vector<double> found;
+    for (const Vec3& p : queries)
+      found.push_back(tree.nearest(p, [&](std::uint32_t i) { return distance2(segments[i], p); }));
+    return found;
+  };
+  const std::vector<double> first = nearest();
+  for (int round = 0; round < 5; ++round) {
+    for (std::size_t i = segments.size() - 1; i > 0; --i)
+      std::swap(segments[i], segments[random() % (i + 1)]);
+    CHECK(nearest() == first);
+  }
+}

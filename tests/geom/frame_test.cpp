@@ -162,10 +162,21 @@ TEST_CASE("the planes of a pencil contain its axis") {
     LatticeVector common;
     REQUIRE(axis_of(planes[0], planes[1], common));
     CHECK((common == axis || cross(common, axis) == LatticeVector{0, 0, 0}));
-    const LatticeVector in_plane = fit_axis_in_plane(quantise_direction(wanted), planes[0].normal, kRadius);
+    LatticeVector in_plane;
+    REQUIRE(fit_axis_in_plane(quantise_direction(wanted), planes[0].normal, kRadius, in_plane));
     CHECK(side_of_plane(planes[0], make_point({5 + in_plane[0], 6 + in_plane[1], 7 + in_plane[2]})) == 0);
     CHECK(angle(wanted, to_real(in_plane)) < 1e-6);
   }
+}
+
+TEST_CASE("a plane may have no axis along a direction, or none at all") {
+  constexpr std::int64_t kFar = std::int64_t{1} << 48;
+  LatticeVector axis;
+  CHECK_FALSE(fit_axis_in_plane(quantise_direction({1, 0, 0}), {1, 0, std::int64_t{1} << 40}, kFar, axis));
+  CHECK(fit_axis_in_plane(quantise_direction({0, 1, 0}), {1, 0, std::int64_t{1} << 40}, kFar, axis));
+  CHECK(axis == LatticeVector{0, 1, 0});
+  CHECK_FALSE(fit_axis_in_plane({15140012084368, -70368744177664, 12096333600756},
+                                {1099511627562, 387571161529, 878470860577}, kFar, axis));
 }
 
 TEST_CASE("exact tests of planes") {

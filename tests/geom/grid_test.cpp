@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <limits>
 #include <random>
 
 using namespace crossloft;
@@ -54,4 +55,23 @@ TEST_CASE("far from the origin the grid says that it rounds") {
 TEST_CASE("the box may be a point") {
   const WorldGrid grid({3, 3, 3}, {3, 3, 3});
   CHECK(grid.to_lattice({3, 3, 3}) == LatticeVector{0, 0, 0});
+}
+
+TEST_CASE("a box of the smallest doubles has a grid finer than the doubles") {
+  constexpr double kSmallest = std::numeric_limits<double>::denorm_min();
+  CHECK(WorldGrid({-kSmallest, 0, 0}, {kSmallest, 0, 0}).unit() == 0);
+  CHECK(WorldGrid({0, 0, 0}, {kSmallest, 0, 0}).unit() == 0);
+}
+
+TEST_CASE("at the end of the doubles lattice points beyond the box have no coordinates") {
+  const WorldGrid grid({-1e308, 0, 0}, {1e308, 1, 1});
+  CHECK_FALSE(grid.exact());
+  CHECK(grid.from_lattice(at(grid.to_lattice({1e308, 0, 0}))).x == doctest::Approx(1e308));
+  CHECK(WorldGrid({-1e306, 0, 0}, {1e306, 1, 1}).exact());
+}
+
+TEST_CASE("halves are rounded upwards, and nothing else is") {
+  const WorldGrid grid;
+  CHECK(grid.to_lattice({0.49999999999999994, 0.5, -0.5}) == LatticeVector{0, 1, 0});
+  CHECK(grid.to_lattice({-0.50000000000000011, 1.5, -1e-300}) == LatticeVector{-1, 2, 0});
 }

@@ -200,6 +200,23 @@ TEST_CASE("near ties of rational points within the blur of their rounding") {
   }
 }
 
+TEST_CASE("near ties with a plane at a corner of the lattice: the blur decides") {
+  Generator generator(kSeed + 9);
+  LatticePointStore store;
+  for (int round = 0; round < 4000; ++round) {
+    samples::NearPlane near(generator, store);
+    std::array<LatticePoint, 5> p;
+    for (LatticePoint& q : p) q = near.point();
+    check_orient3d(p);
+    check_insphere(p);
+    std::array<LatticePoint, 4> r;
+    for (LatticePoint& q : r) q = near.on_plane();
+    check_on_plane(near.plane(), r);
+    for (const LatticePoint& q : p)
+      CHECK(side_of_plane(near.plane(), q) == reference::side(near.plane(), exact(q)));
+  }
+}
+
 TEST_CASE("exchanging two points changes every sign") {
   Generator generator(kSeed + 6);
   LatticePointStore store;

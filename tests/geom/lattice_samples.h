@@ -55,6 +55,57 @@ class Generator {
   std::mt19937_64 engine_;
 };
 
+/// A plane near a corner of the lattice's cube, where rounded coordinates are half a unit in the last place
+/// off, and points whose ties with it can't be told from these.
+class NearPlane {
+ public:
+  NearPlane(Generator& generator, LatticePointStore& store)
+      : generator_(generator), store_(store), around_(corner()) {
+    limit_ = generator_.chance(40) ? kNormalLimit : generator_.chance(50) ? std::int64_t{1} << 20 : 20;
+    plane_ = around(1);
+  }
+
+  const LatticePlane& plane() const { return plane_; }
+  /// Rational, on the plane.
+  LatticePoint on_plane() { return meet(plane_); }
+  /// Rational, on the plane or on one that is parallel to it within two units; or explicit and close by.
+  LatticePoint point() {
+    if (generator_.chance(33)) {
+      const LatticeVector by = generator_.vector(3);
+      return make_point({around_[0] + by[0], around_[1] + by[1], around_[2] + 300 * by[2]});
+    }
+    if (generator_.chance(50)) return on_plane();
+    LatticePlane parallel = plane_;
+    for (std::size_t k = 0; k < 3; ++k) parallel.origin[k] += generator_.integer(2);
+    return meet(parallel);
+  }
+
+ private:
+  LatticeVector corner() {
+    const std::int64_t far = kLatticeLimit - 2000;
+    LatticeVector v;
+    for (std::int64_t& c : v) c = generator_.chance(50) ? far : -far;
+    return v;
+  }
+  LatticePlane around(std::int64_t origin_limit) {
+    LatticePlane p = generator_.plane(limit_, origin_limit);
+    for (std::size_t k = 0; k < 3; ++k) p.origin[k] += around_[k];
+    return p;
+  }
+  LatticePoint meet(const LatticePlane& plane) {
+    for (;;) {
+      LatticePoint p;
+      if (store_.meet(plane, around(100), around(100), p)) return p;
+    }
+  }
+
+  Generator& generator_;
+  LatticePointStore& store_;
+  LatticeVector around_;
+  std::int64_t limit_ = 0;
+  LatticePlane plane_;
+};
+
 /// Integer points on the sphere of squared radius 3 * 5^2 * 7^2 * 11^2 around `centre`, times `scale`: plenty
 /// of exactly cospherical points. Coordinates relative to the centre stay below 668 * scale.
 inline std::vector<LatticePoint> cospherical(const LatticeVector& centre, std::int64_t scale) {

@@ -34,6 +34,26 @@ TEST_CASE("every item is done once, for any number of threads") {
     }
 }
 
+TEST_CASE("progress tells of items that are done, all of them in the end") {
+  for (const unsigned threads : {1u, 2u, 5u})
+    for (int round = 0; round < 50; ++round) {
+      constexpr std::size_t kCount = 8;
+      std::atomic<std::size_t> done{0};
+      double last = 0;
+      Context context = with_threads(threads);
+      context.progress = [&](std::string_view, double fraction) {
+        CHECK(fraction * kCount <= static_cast<double>(done.load()));
+        CHECK(fraction >= last);
+        last = fraction;
+      };
+      CHECK(parallel_for(kCount, context, "items", [&](std::size_t i) {
+        if (i % 2 == 1) std::this_thread::yield();
+        ++done;
+      }));
+      CHECK(last == 1);
+    }
+}
+
 TEST_CASE("cancelled: false, and the rest is not begun") {
   std::atomic<bool> cancel{false};
   Context context = with_threads(3);

@@ -45,6 +45,22 @@ void check(const std::array<Vec3, 5>& p) {
 
 }  // namespace
 
+TEST_CASE("halves of integers around powers of two, where these stop to be doubles") {
+  MESSAGE("seed " << kSeed + 20);
+  Doubles doubles(kSeed + 20);
+  for (int exponent = 48; exponent <= 54; ++exponent)
+    for (const double sign : {-1.0, 1.0})
+      for (int round = 0; round < 300; ++round) {
+        const double least = std::ldexp(1.0, exponent) - (round % 2 == 0 ? 0 : 8);
+        const auto near = [&] { return sign * (least + 0.5 * static_cast<double>(doubles.index(5))); };
+        std::array<Vec3, 5> p;
+        for (Vec3& v : p) v = {near(), near(), near()};
+        check(p);
+        for (Vec3& v : p) v.y -= sign * std::ldexp(1.0, exponent), v.z = v.y + 1;
+        check(p);
+      }
+}
+
 TEST_CASE("random doubles: one binade to all of them") {
   MESSAGE("seed " << kSeed);
   Doubles doubles(kSeed);

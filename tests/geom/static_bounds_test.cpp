@@ -148,6 +148,18 @@ TEST_CASE("rational lattice points among explicit ones") {
   check_set(points, 200, doubles);
 }
 
+TEST_CASE("rational lattice points near one plane at a corner of the lattice: the blur decides") {
+  samples::Generator generator(kSeed + 8);
+  Doubles doubles(kSeed + 8);
+  LatticePointStore store;
+  for (int round = 0; round < 1500; ++round) {
+    samples::NearPlane near(generator, store);
+    std::vector<LatticePoint> points;
+    for (int i = 0; i < 6; ++i) points.push_back(near.point());
+    check_set(points, 4, doubles);
+  }
+}
+
 TEST_CASE("power tests with bounds") {
   Doubles doubles(kSeed + 5);
   for (const int exponents : {0, 3, 30, 500}) {
