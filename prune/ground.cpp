@@ -1,5 +1,7 @@
 #include "ground.h"
 
+#include <utility>
+
 #include "../geom/disjoint_sets.h"
 
 namespace crossloft {
@@ -15,16 +17,20 @@ constexpr std::array<std::array<std::uint8_t, kCorners>, 4> side_table() {
 }
 constexpr auto kSides = side_table();
 
-/// Finds the side of a triangle that runs against another one's: on the hull each edge has two triangles,
-/// seen from outside in opposite directions.
+/// Finds the other triangle at a side: on the hull each edge has two. Sides wait at the vertex of theirs that
+/// fewer triangles have: over the edges of a planar graph the smaller degrees add up to O(n) (Chiba and
+/// Nishizeki 1985), however many sides a hub has.
 class SideMatcher {
  public:
-  SideMatcher(std::uint32_t vertices, std::uint32_t sides) : last_(vertices, kNone), sides_(sides) {}
+  /// `degrees`: of the vertices, in triangles.
+  SideMatcher(std::vector<std::uint32_t> degrees, std::uint32_t sides)
+      : degrees_(std::move(degrees)), last_(degrees_.size(), kNone), sides_(sides) {}
 
-  /// The side from b to a if it came before, else kNone and the side from a to b waits for it.
+  /// The other triangle's side from b to a if it came before, else kNone and this one waits for it.
   std::uint32_t match(std::uint32_t side, std::uint32_t a, std::uint32_t b) {
-    for (std::uint32_t s = last_[b]; s != kNone; s = sides_[s].before)
-      if (sides_[s].to == a) return s;
+    if (degrees_[b] < degrees_[a] || (degrees_[b] == degrees_[a] && b < a)) std::swap(a, b);
+    for (std::uint32_t s = last_[a]; s != kNone; s = sides_[s].before)
+      if (sides_[s].other == b) return s;
     sides_[side] = {b, last_[a]};
     last_[a] = side;
     return kNone;
@@ -32,8 +38,9 @@ class SideMatcher {
 
  private:
   struct Side {
-    std::uint32_t to, before;  ///< `before`: the side from the same vertex that came before it
+    std::uint32_t other, before;  ///< `before`: the side that waits there since before it
   };
+  std::vector<std::uint32_t> degrees_;
   std::vector<std::uint32_t> last_;  ///< by vertex
   std::vector<Side> sides_;
 };
@@ -51,7 +58,10 @@ Ground::Ground(const CellComplex& complex) : complex_(complex), first_(complex.m
   }
   neighbours_.assign(size(), {kNone, kNone, kNone});
   DisjointSets parts(size());
-  SideMatcher matcher(complex.vertex_count, 3 * size());
+  std::vector<std::uint32_t> degrees(complex.vertex_count, 0);
+  for (const Facet& f : facets_)
+    for (const unsigned slot : kFacetSlots[f.facet]) ++degrees[complex.mesh.vertices[f.tet][slot]];
+  SideMatcher matcher(std::move(degrees), 3 * size());
   for (std::uint32_t g = 0; g < size(); ++g) {
     const auto& v = complex.mesh.vertices[facets_[g].tet];
     const auto& slots = kFacetSlots[facets_[g].facet];

@@ -25,7 +25,7 @@ struct Facet {
 class Ground {
  public:
   /// REQUIRES: each edge of the hull is in two triangles of it, as in R0; the complex stays as it is while
-  /// this is used. O(n + degrees of the vertices in the sections).
+  /// this is used. O(n).
   explicit Ground(const CellComplex& complex);
 
   std::uint32_t size() const { return static_cast<std::uint32_t>(facets_.size()); }

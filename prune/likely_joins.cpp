@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "../geom/bounds.h"
 #include "../geom/disjoint_sets.h"
 #include "confidence.h"
 #include "section_field.h"
@@ -30,6 +31,8 @@ constexpr std::array<double, 3> kLeastIfSeen{0.05, 0.06, 0.12};
 /// With more sections in a cell they are small against it, and the samples too far apart to tell them from
 /// what is around; and there is a wish for each pair.
 constexpr std::size_t kMostParts = 5;
+/// Nor do they tell of a section whose box has a smaller diagonal than they are apart, in radii of the cell.
+constexpr double kLeastExtent = kReach / SectionField::kStepsPerRadius;
 
 /// Tetrahedra that sections reach.
 struct Reached {
@@ -189,18 +192,37 @@ DisjointSets wanted_parts(const CellComplex& complex, const CellShape& shape, co
   return wanted;
 }
 
+struct Ball {
+  Vec3 centre;
+  double radius = 0;
+};
+
+/// Around the mean of the cell's vertices on planes.
+Ball ball_around(const CellComplex& complex, const CellShape& shape) {
+  std::vector<Vec3> points;
+  for (std::uint32_t v = 0; v < shape.points.size(); ++v)
+    if (!complex.is_interior(v)) points.push_back(shape.points[v]);
+  Ball ball;
+  for (const Vec3& p : points) ball.centre = ball.centre + p;
+  ball.centre = (1 / static_cast<double>(points.size())) * ball.centre;
+  for (const Vec3& p : points) ball.radius = std::max(ball.radius, norm(p - ball.centre));
+  return ball;
+}
+
+/// Some section is too small for the samples.
+bool has_speck(std::span<const SectionPart> parts, const CellShape& shape, double radius) {
+  return std::any_of(parts.begin(), parts.end(), [&](const SectionPart& part) {
+    Bounds box;
+    for (const std::uint32_t v : part.vertices) box.add(shape.points[v]);
+    return norm(box.high - box.low) < kLeastExtent * radius;
+  });
+}
+
 }  // namespace
 
 std::optional<SmoothFunction> function_around(const CellComplex& complex, const CellShape& shape,
                                               const SectionField& field) {
-  std::vector<Vec3> points;
-  for (std::uint32_t v = 0; v < shape.points.size(); ++v)
-    if (!complex.is_interior(v)) points.push_back(shape.points[v]);
-  Vec3 centre;
-  for (const Vec3& p : points) centre = centre + p;
-  centre = (1 / static_cast<double>(points.size())) * centre;
-  double radius = 0;
-  for (const Vec3& p : points) radius = std::max(radius, norm(p - centre));
+  const auto [centre, radius] = ball_around(complex, shape);
   return SmoothFunction::through(field.samples(centre, kReach * radius), centre, radius);
 }
 
@@ -243,6 +265,7 @@ std::optional<JoinPlan> plan_joins(const CellComplex& complex, const CellShape& 
   const std::vector<SectionPart> parts = section_parts(complex, ground);
   const std::vector<std::int32_t> sure = sure_above(possible, parts);
   if (!has_doubt(possible, sure)) return std::nullopt;
+  if (has_speck(parts, shape, ball_around(complex, shape).radius)) return std::nullopt;
   const auto f = function_around(complex, shape, shape.field->get());
   if (!f) return std::nullopt;
   Reached above = reach(complex, ground, [&](std::uint32_t t) {

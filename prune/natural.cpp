@@ -4,13 +4,14 @@
 #include <cmath>
 #include <utility>
 
+#include "best_way.h"
 #include "confidence.h"
 #include "cracks.h"
 #include "energy.h"
-#include "walls.h"
 #include "likely_joins.h"
 #include "outside.h"
 #include "star.h"
+#include "walls.h"
 #include "widest_ways.h"
 
 namespace crossloft {
@@ -49,16 +50,20 @@ class NaturalPruning {
     NaturalReport& report = result.report;
     const CellBodies bodies = find_bodies(complex_, ground_, result.kept);
     report.before = report.after = count_topology(complex_, ground_, result.kept, bodies);
-    if (report.before.bodies < report.before.sections)
+    if (bodies_with_ground(bodies) < report.before.sections)
       report.joins = find_widest_ways(complex_, ground_, result.kept, bodies.of_ground,
                                       [&](std::uint32_t t) { return confidence_of(t); });
     std::vector<std::uint8_t> allowed = result.kept;
-    const bool lacks_walls = add_walls(r1, report.before.outsides - report.before.voids, allowed);
+    // Of the voids those that are islands in the outside are none of its parts.
+    const std::uint32_t voids = std::min(report.before.outsides, report.before.voids);
+    const bool lacks_walls = add_walls(r1, report.before.outsides - voids, allowed);
     const bool good = is_good(report, result.kept);
     std::vector<std::uint32_t> body_in_r1;
     if (may_doubt()) body_in_r1 = bodies_of(r1, bodies);
     const bool doubts = !body_in_r1.empty() && !is_surely_joined(bodies, body_in_r1, report.joins);
     if (!good || lacks_walls) measure_all(r1);
+    for (const JoinWish& wish : limits_.wishes)
+      if (wish.join) add_way(wish, r1, allowed);
     if (!good)
       result.kept = allowed, grow(result, limits_);
     else if (lacks_walls)
@@ -119,12 +124,53 @@ class NaturalPruning {
     return !walls.lacking.empty();
   }
 
+  /// Lets growth join two sections that what the cut has kept does not connect: by the best way through R1.
+  void add_way(const JoinWish& wish, const std::vector<std::uint8_t>& r1,
+               std::vector<std::uint8_t>& allowed) {
+    const std::vector<std::uint8_t> at_a = ground_at(wish.a), at_b = ground_at(wish.b);
+    const std::vector<std::uint32_t> body = find_bodies(complex_, ground_, allowed).of_ground;
+    std::vector<std::uint8_t> is_of_a(body.size(), 0), above_b(r1.size(), 0);
+    for (std::uint32_t g = 0; g < body.size(); ++g)
+      if (at_a[g] != 0) is_of_a[body[g]] = 1;
+    std::vector<std::uint32_t> starts;
+    for (std::uint32_t g = 0; g < body.size(); ++g) {
+      if (at_b[g] != 0 && is_of_a[body[g]] != 0) return;
+      if (at_a[g] != 0) starts.push_back(ground_.facet(g).tet);
+      if (at_b[g] != 0) above_b[ground_.facet(g).tet] = 1;
+    }
+    Ways ways(r1.size());
+    const auto measure = [&](std::uint32_t t) { return allowed[t] != 0 ? kCertain : confidence_of(t); };
+    for (const std::uint32_t t : best_way(
+             complex_.mesh, Prefers::sure, measure, starts, [&](std::uint32_t t) { return r1[t] != 0; },
+             [&](std::uint32_t t) { return above_b[t] != 0; }, ways))
+      allowed[t] = 1;
+  }
+
+  /// The ground triangles of all parts with one of the vertices, which ascend.
+  std::vector<std::uint8_t> ground_at(std::span<const std::uint32_t> vertices) const {
+    std::vector<std::uint8_t> is_at(ground_.size(), 0);  // by part, then by triangle
+    for (std::uint32_t g = 0; g < ground_.size(); ++g)
+      for (const std::uint8_t slot : kFacetSlots[ground_.facet(g).facet])
+        if (std::binary_search(vertices.begin(), vertices.end(),
+                               complex_.mesh.vertices[ground_.facet(g).tet][slot]))
+          is_at[ground_.part(g)] = 1;
+    for (std::uint32_t g = 0; g < ground_.size(); ++g) is_at[g] = is_at[ground_.part(g)];
+    return is_at;
+  }
+
   /// What the cut has left stays unless growth closes something off.
   void build_walls(const std::vector<std::uint8_t>& allowed, NaturalResult& result) {
     NaturalResult grown = result;
     grown.kept = allowed;
     grow(grown, limits_);
     if (grown.report.after.outsides > result.report.after.outsides) result = std::move(grown);
+  }
+
+  /// What is left of the sections as bodies: islands, which stand on none, are others.
+  static std::uint32_t bodies_with_ground(const CellBodies& bodies) {
+    std::uint32_t count = 0;
+    for (std::uint32_t g = 0; g < bodies.of_ground.size(); ++g) count += bodies.of_ground[g] == g ? 1U : 0U;
+    return count;
   }
 
   /// Not where the user has decided: of single sections, or by a limit that leaves no doubt.
@@ -191,10 +237,13 @@ class NaturalPruning {
   void join_alone(const std::vector<std::uint8_t>& r1, std::vector<std::uint8_t> allowed,
                   NaturalResult& result) {
     const SecondLook::Measure measure = [&](std::uint32_t t) { return confidence_of(t); };
+    SecondLook look(complex_, ground_, r1, result.kept, measure);
     for (const TetName& body : requests_.joined) {
-      const Way way = SecondLook(complex_, ground_, r1, result.kept, measure).way_from(body);
+      if (is_raised(requests_.cancel)) return;
+      const Way way = look.way_from(body);
       if (way.tets.empty() || way.join.confidence < as_integer(options_.alone_confidence)) continue;
       for (const std::uint32_t t : way.tets) result.kept[t] = 1;
+      look.see(way);
       list_join(way.join, result.report.joins);
       ++result.report.joined_alone;
     }

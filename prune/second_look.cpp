@@ -1,9 +1,9 @@
 #include "second_look.h"
 
 #include <algorithm>
-#include <queue>
 #include <utility>
 
+#include "best_way.h"
 #include "bodies.h"
 #include "confidence.h"
 #include "contact.h"
@@ -12,49 +12,6 @@
 
 namespace crossloft {
 namespace {
-
-/// What a way prefers to go through. By confidence, then by sorted vertices.
-enum class Prefers : std::uint8_t { sure, unsure };
-
-/// A tetrahedron that a way has come to; the greatest is preferred.
-struct Step {
-  std::int32_t confidence;
-  TetName name;
-  std::uint32_t tet;
-};
-
-/// From one of `starts` to a tetrahedron with goal(t), over those with usable(t), so that the worst one on
-/// the way is as good as can be; from the start on, empty if there is no way. (Prim's algorithm: the first
-/// goal it comes to.) Only what it comes to is measured.
-template <class Usable, class Goal>
-std::vector<std::uint32_t> best_way(const TetMesh& mesh, Prefers prefers, const SecondLook::Measure& measure,
-                                    const std::vector<std::uint32_t>& starts, Usable usable, Goal goal) {
-  const auto comes_later = [prefers](const Step& x, const Step& y) {
-    const bool is_surer = x.confidence != y.confidence ? x.confidence > y.confidence : x.name < y.name;
-    return x.tet != y.tet && is_surer != (prefers == Prefers::sure);
-  };
-  std::priority_queue<Step, std::vector<Step>, decltype(comes_later)> queue(comes_later);
-  std::vector<std::uint32_t> before(mesh.size(), kNone);
-  const auto see = [&](std::uint32_t t, std::uint32_t from) {
-    if (before[t] != kNone || !usable(t)) return;
-    before[t] = from;
-    queue.push({measure(t), sorted_vertices(mesh, t), t});
-  };
-  for (const std::uint32_t t : starts) see(t, t);
-  while (!queue.empty()) {
-    std::uint32_t t = queue.top().tet;
-    queue.pop();
-    if (goal(t)) {
-      std::vector<std::uint32_t> way{t};
-      for (; before[t] != t; t = before[t]) way.push_back(before[t]);
-      std::reverse(way.begin(), way.end());
-      return way;
-    }
-    for (const std::uint32_t n : mesh.neighbours[t])
-      if (n != kNone) see(n, t);
-  }
-  return {};
-}
 
 bool is_join_of_two(const Contact& contact) {
   std::vector<std::uint32_t> bodies;
@@ -65,18 +22,17 @@ bool is_join_of_two(const Contact& contact) {
          std::unique(bodies.begin(), bodies.end()) - bodies.begin() == 2;
 }
 
-/// By simple moves, and a join at the end.
-bool can_add(const CellComplex& complex, const Ground& ground, const std::vector<std::uint8_t>& kept,
-             const std::vector<std::uint32_t>& way) {
-  GrowingSolid solid(complex, ground);
-  for (std::uint32_t t = 0; t < kept.size(); ++t)
-    if (kept[t] != 0) solid.add(t);
-  for (const std::uint32_t t : way) {
+/// By simple moves, and a join at the end. The solid stays as it is.
+bool can_add(GrowingSolid& solid, const std::vector<std::uint32_t>& way) {
+  solid.begin_trial();
+  const bool can = !way.empty() && std::all_of(way.begin(), way.end(), [&](std::uint32_t t) {
     const Contact contact = solid.contact(t);
-    if (t == way.back() ? !is_join_of_two(contact) : !contact.is_simple()) return false;
+    const bool fits = t == way.back() ? is_join_of_two(contact) : contact.is_simple();
     solid.add(t);
-  }
-  return !way.empty();
+    return fits;
+  });
+  solid.end_trial(false);
+  return can;
 }
 
 /// Where the outside is at a facet of the solid: a tetrahedron, or kNone beyond the hull.
@@ -105,55 +61,111 @@ std::vector<OutsideAt> outside_of_facets(const CellComplex& complex, const Groun
 }  // namespace
 
 /// What all bodies are asked with; as there may be many of them it is made once.
-struct SecondLook::View {
-  explicit View(const SecondLook& look) : bodies(look.complex_, look.ground_, look.kept_) {}
+struct SecondLook::Bodily {
+  explicit Bodily(const SecondLook& look)
+      : bodies(look.complex_, look.ground_, look.kept_),
+        solid(look.complex_, look.ground_),
+        ways(look.kept_.size()) {
+    for (std::uint32_t t = 0; t < look.kept_.size(); ++t) {
+      if (look.kept_[t] == 0) continue;
+      solid.add(t);
+      names.push_back({sorted_vertices(look.complex_.mesh, t), t});
+    }
+    std::sort(names.begin(), names.end());
+    find_starts(look);
+  }
+
+  void find_starts(const SecondLook& look) {
+    starts.clear();
+    for (std::uint32_t t = 0; t < look.kept_.size(); ++t)
+      for (unsigned i = 0; i < 4 && look.is_free(t); ++i)
+        if (const std::uint32_t body = bodies.at(t, i); body != kNone) starts.push_back({body, t});
+    std::sort(starts.begin(), starts.end());
+    starts.erase(std::unique(starts.begin(), starts.end()), starts.end());
+  }
+
+  std::vector<std::uint32_t> starts_of(std::uint32_t body) const {
+    std::vector<std::uint32_t> list;
+    for (auto at = std::lower_bound(starts.begin(), starts.end(), std::pair(body, 0U));
+         at != starts.end() && at->first == body; ++at)
+      list.push_back(at->second);
+    return list;
+  }
+
+  /// kNone if it is not kept.
+  std::uint32_t tet_of(const TetName& name) const {
+    const auto at = std::lower_bound(names.begin(), names.end(), std::pair(name, 0U));
+    return at != names.end() && at->first == name ? at->second : kNone;
+  }
 
   Bodies bodies;
-  std::vector<std::pair<TetName, std::uint32_t>> names;  ///< kept ones, ascending; only for answers
+  GrowingSolid solid;
+  Ways ways;
+  std::vector<std::pair<TetName, std::uint32_t>> names;         ///< kept ones at first, ascending
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> starts;  ///< bodies, and what is free at them
 };
 
-Way SecondLook::way_from(const TetName& body) const {
-  const std::uint32_t start = tet_of_name(complex_.mesh, body);
-  if (start == kNone || kept_[start] == 0) return {};
-  View view(*this);
-  return way_from(view, start);
+SecondLook::SecondLook(const CellComplex& complex, const Ground& ground,
+                       const std::vector<std::uint8_t>& candidates, const std::vector<std::uint8_t>& kept,
+                       Measure measure)
+    : complex_(complex),
+      ground_(ground),
+      candidates_(candidates),
+      kept_(kept),
+      measure_(std::move(measure)) {}
+SecondLook::~SecondLook() = default;
+
+SecondLook::Bodily& SecondLook::bodily() {
+  if (!bodily_) bodily_ = std::make_unique<Bodily>(*this);
+  return *bodily_;
 }
 
-Way SecondLook::way_from(View& view, std::uint32_t start) const {
-  Bodies& bodies = view.bodies;  // for clang 14 no lambda may take what is bound together with others
+Way SecondLook::way_from(const TetName& body) {
+  const std::uint32_t start = bodily().tet_of(body);
+  return start == kNone ? Way{} : way_from(start);
+}
+
+/// Bodies that are still on one part and not on the way keep what is free at them; one that has come together
+/// with an island has more.
+void SecondLook::see(const Way& way) {
+  Bodily& b = bodily();
+  for (const std::uint32_t t : way.tets) b.bodies.see(t), b.solid.add(t);
+  if (b.bodies.stands_on_one_part(b.bodies.of_tet(way.tets[0]))) b.find_starts(*this);
+}
+
+Way SecondLook::way_from(std::uint32_t start) {
+  Bodily& b = bodily();
+  Bodies& bodies = b.bodies;
   const std::uint32_t own = bodies.of_tet(start);
   if (!bodies.stands_on_one_part(own)) return {};
-  std::vector<std::uint32_t> starts;
-  const auto is_free = [&](std::uint32_t t) { return candidates_[t] != 0 && kept_[t] == 0; };
-  for (std::uint32_t t = 0; t < kept_.size(); ++t)
-    if (is_free(t) && bodies.touches(t, own)) starts.push_back(t);
   Way way;
-  way.tets = best_way(complex_.mesh, Prefers::sure, measure_, starts, is_free,
-                      [&](std::uint32_t t) { return bodies.other_at(t, own) != kNone; });
-  if (!can_add(complex_, ground_, kept_, way.tets)) return {};
+  way.tets = best_way(
+      complex_.mesh, Prefers::sure, measure_, b.starts_of(own), [&](std::uint32_t t) { return is_free(t); },
+      [&](std::uint32_t t) { return bodies.other_at(t, own) != kNone; }, b.ways);
+  if (!can_add(b.solid, way.tets)) return {};
   const std::uint32_t other = bodies.other_at(way.tets.back(), own);
   for (const std::uint32_t n : complex_.mesh.neighbours[way.tets.back()])
     if (n != kNone && kept_[n] != 0 && bodies.of_tet(n) == other)
       way.target = std::min(way.target, sorted_vertices(complex_.mesh, n));
-  const std::uint32_t a = bodies.name_of(own), b = bodies.name_of(other);
-  way.join = {std::min(a, b), std::max(a, b), measure_(way.tets[0]), true};
+  const std::uint32_t name = bodies.name_of(own), other_name = bodies.name_of(other);
+  way.join = {std::min(name, other_name), std::max(name, other_name), measure_(way.tets[0]), true};
   for (const std::uint32_t t : way.tets) way.join.confidence = std::min(way.join.confidence, measure_(t));
   return way;
 }
 
-BodyAnswer SecondLook::answer_body(View& view, const std::vector<TetName>& names) const {
+BodyAnswer SecondLook::answer_body(const std::vector<TetName>& names) {
+  Bodily& b = bodily();
   BodyAnswer answer;
   std::uint32_t own = kNone, start = kNone;
   for (const TetName& name : names) {
-    const auto place = std::lower_bound(view.names.begin(), view.names.end(), std::pair(name, 0U));
-    if (place == view.names.end() || place->first != name) return answer;
-    if (own != kNone && view.bodies.of_tet(place->second) != own) return answer;
-    own = view.bodies.of_tet(place->second);
-    if (start == kNone) start = place->second;
+    const std::uint32_t t = b.tet_of(name);
+    if (t == kNone || (own != kNone && b.bodies.of_tet(t) != own)) return answer;
+    own = b.bodies.of_tet(t);
+    if (start == kNone) start = t;
   }
-  answer.is_alone = own != kNone && view.bodies.stands_on_one_part(own);
+  answer.is_alone = own != kNone && b.bodies.stands_on_one_part(own);
   if (!answer.is_alone) return answer;
-  const Way way = way_from(view, start);
+  const Way way = way_from(start);
   answer.can_join = !way.tets.empty();
   answer.confidence = way.join.confidence;
   answer.target = way.target;
@@ -178,9 +190,10 @@ CavityAnswer SecondLook::answer_part(const OutsidePart& part, std::uint32_t star
         name = std::min(name, sorted_vertices(complex_.mesh, n));
     return name;
   };
+  Ways ways(kept_.size());
   const auto way = best_way(
       complex_.mesh, Prefers::unsure, measure_, starts, [&](std::uint32_t t) { return kept_[t] != 0; },
-      [&](std::uint32_t t) { return beyond(t)[0] != kNone; });
+      [&](std::uint32_t t) { return beyond(t)[0] != kNone; }, ways);
   if (way.empty()) return answer;
   answer.can_open = true;
   answer.confidence = measure_(way[0]);
@@ -190,15 +203,10 @@ CavityAnswer SecondLook::answer_part(const OutsidePart& part, std::uint32_t star
   return answer;
 }
 
-Answers SecondLook::answer(const SecondThoughts& questions) const {
+Answers SecondLook::answer(const SecondThoughts& questions, CancelFlag cancel) {
   Answers answers;
-  if (!questions.bodies.empty()) {
-    View view(*this);
-    for (std::uint32_t t = 0; t < kept_.size(); ++t)
-      if (kept_[t] != 0) view.names.push_back({sorted_vertices(complex_.mesh, t), t});
-    std::sort(view.names.begin(), view.names.end());
-    for (const auto& names : questions.bodies) answers.bodies.push_back(answer_body(view, names));
-  }
+  for (const auto& names : questions.bodies)
+    answers.bodies.push_back(is_raised(cancel) ? BodyAnswer{} : answer_body(names));
   const std::vector<OutsideAt> seen =
       questions.cavities.empty() ? std::vector<OutsideAt>{} : outside_of_facets(complex_, ground_, kept_);
   for (const auto& facets : questions.cavities) {
@@ -206,6 +214,7 @@ Answers SecondLook::answer(const SecondThoughts& questions) const {
     std::vector<std::uint8_t> known(kept_.size(), 0);
     bool beyond_hull = false;
     for (const Triangle& facet : facets) {
+      if (is_raised(cancel)) break;
       const auto at = std::lower_bound(seen.begin(), seen.end(), OutsideAt{facet, 0});
       if (at == seen.end() || at->facet != facet) continue;
       beyond_hull |= at->tet == kNone;
@@ -220,11 +229,12 @@ Answers SecondLook::answer(const SecondThoughts& questions) const {
 }
 
 Answers answer_questions(const CellComplex& complex, const Ground& ground, const CellShape& shape,
-                         const std::vector<std::uint8_t>& kept, const SecondThoughts& questions) {
+                         const std::vector<std::uint8_t>& kept, const SecondThoughts& questions,
+                         CancelFlag cancel) {
   const std::vector<std::uint8_t> r1 = without_external(complex);
   ConfidenceMeter meter(complex, ground, shape);
   return SecondLook(complex, ground, r1, kept, [&](std::uint32_t t) { return meter.measure(t); })
-      .answer(questions);
+      .answer(questions, cancel);
 }
 
 }  // namespace crossloft

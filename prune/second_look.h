@@ -8,9 +8,10 @@
 
 #include <cstdint>
 #include <functional>
-#include <utility>
+#include <memory>
 #include <vector>
 
+#include "../geom/context.h"
 #include "cell_complex.h"
 #include "cell_shape.h"
 #include "ground.h"
@@ -57,30 +58,31 @@ struct Way {
 };
 
 /// What a cell does about it. `candidates`: what a body may be joined by, contains `kept`.
+/// O(n log n) once, and then what the ways come to for each body.
 class SecondLook {
  public:
   /// The confidence of a tetrahedron, the same each time.
   using Measure = std::function<std::int32_t(std::uint32_t)>;
 
   SecondLook(const CellComplex& complex, const Ground& ground, const std::vector<std::uint8_t>& candidates,
-             const std::vector<std::uint8_t>& kept, Measure measure)
-      : complex_(complex),
-        ground_(ground),
-        candidates_(candidates),
-        kept_(kept),
-        measure_(std::move(measure)) {}
+             const std::vector<std::uint8_t>& kept, Measure measure);
+  ~SecondLook();
 
-  /// One answer for each question, in the order of the questions. O(n log n), O(n) again for each body that
-  /// is alone, and O(n log n) for each part of a cavity.
-  Answers answer(const SecondThoughts& questions) const;
+  /// One answer for each question, in the order of the questions; O(n log n) more for each part of a cavity.
+  /// Once `cancel` is raised they come soon, and mean nothing.
+  Answers answer(const SecondThoughts& questions, CancelFlag cancel = nullptr);
   /// The way from a body to another one that is most confident where it is weakest, if simple moves and one
-  /// join add it; else nothing. REQUIRES: the body stands on one part of the sections, else there is no way.
-  Way way_from(const TetName& body) const;
+  /// join add it; else nothing, as if the body stands on several parts of the sections.
+  Way way_from(const TetName& body);
+  /// The way has been added to what is kept.
+  void see(const Way& way);
 
  private:
-  struct View;
-  BodyAnswer answer_body(View& view, const std::vector<TetName>& names) const;
-  Way way_from(View& view, std::uint32_t start) const;
+  struct Bodily;
+  bool is_free(std::uint32_t t) const { return candidates_[t] != 0 && kept_[t] == 0; }
+  Bodily& bodily();
+  BodyAnswer answer_body(const std::vector<TetName>& names);
+  Way way_from(std::uint32_t start);
   CavityAnswer answer_part(const OutsidePart& part, std::uint32_t start) const;
 
   const CellComplex& complex_;
@@ -88,10 +90,12 @@ class SecondLook {
   const std::vector<std::uint8_t>& candidates_;
   const std::vector<std::uint8_t>& kept_;
   Measure measure_;
+  std::unique_ptr<Bodily> bodily_;  ///< once a body is asked
 };
 
 /// What a cell with that solid answers. O(n log n) and a confidence for each tetrahedron that ways come to.
 Answers answer_questions(const CellComplex& complex, const Ground& ground, const CellShape& shape,
-                         const std::vector<std::uint8_t>& kept, const SecondThoughts& questions);
+                         const std::vector<std::uint8_t>& kept, const SecondThoughts& questions,
+                         CancelFlag cancel = nullptr);
 
 }  // namespace crossloft

@@ -113,7 +113,7 @@ std::vector<FieldSample> SectionField::samples(Vec3 centre, double radius) const
   std::vector<std::uint32_t> pieces;
   tree_.for_overlaps(box, [&](std::uint32_t i) { pieces.push_back(i); });
   std::sort(pieces.begin(), pieces.end());
-  Grid grid{centre, radius, radius / 6, {}};
+  Grid grid{centre, radius, radius / kStepsPerRadius, {}};
   while (!place(grid, pieces)) grid.step *= 1.2;
   std::vector<FieldSample> samples;
   for (const Grid::Place& p : grid.places) {

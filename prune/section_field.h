@@ -32,6 +32,8 @@ struct FieldPlane {
 class SectionField {
  public:
   static constexpr std::size_t kMostSamples = 220;
+  /// Samples are a ball's radius over this apart, or farther if there would be too many.
+  static constexpr double kStepsPerRadius = 6;
 
   /// Everything in canonical order. O(n log n) for n pieces of contours.
   explicit SectionField(std::vector<FieldPlane> planes);

@@ -415,9 +415,9 @@ Result<Done> Pipeline::answer(CellInHand& hand, CellState& state) const {
   Stopwatch watch;
   const auto tets = std::span(tets_).subspan(state.first_tet, state.tet_count);
   const SecondThoughts questions = by_local_numbers(state.questions, hand.built);
-  state.answers = by_final_numbers(
-      answer_questions(hand.built.complex, *hand.ground, hand.shape, kept_in(hand.built, tets), questions),
-      hand.ids, hand.built);
+  state.answers = by_final_numbers(answer_questions(hand.built.complex, *hand.ground, hand.shape,
+                                                    kept_in(hand.built, tets), questions, context_.cancel),
+                                   hand.ids, hand.built);
   state.pruning_seconds += watch.lap();
   return Done{};
 }

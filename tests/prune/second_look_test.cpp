@@ -122,6 +122,29 @@ TEST_CASE("random cells: bodies are alone or not, and their ways to others are t
   CHECK(blocked > 50);
 }
 
+TEST_CASE("random cells: a look that has seen its ways added answers as one made anew") {
+  std::size_t ways = 0;
+  for (std::uint32_t seed = 0; seed < 300; ++seed) {
+    CAPTURE(seed);
+    Grown g(seed);
+    SecondLook look = g.look();
+    std::vector<TetName> names;
+    for (std::uint32_t t = 0; t < g.kept.size(); ++t)
+      if (g.kept[t] != 0) names.push_back(sorted_vertices(g.cell.mesh, t));
+    for (const TetName& name : names) {
+      const Way way = look.way_from(name), anew = g.look().way_from(name);
+      CHECK(way.tets == anew.tets);
+      CHECK(way.join == anew.join);
+      CHECK(way.target == anew.target);
+      if (way.tets.empty()) continue;
+      ++ways;
+      for (const std::uint32_t t : way.tets) g.kept[t] = 1;
+      look.see(way);
+    }
+  }
+  CHECK(ways > 100);
+}
+
 TEST_CASE("random cells: what a cavity answers is true of its part, and growth leaves it open on request") {
   std::size_t holes = 0, opened = 0, walls = 0;
   for (std::uint32_t seed = 0; seed < 600; ++seed) {
