@@ -266,9 +266,12 @@ void add_reconstruct(CLI::App& program, ExitCode& outcome) {
       ->check(is_surface_file());
   command->add_option("--solid", a.solid, "also the tetrahedra")->check(is_solid_file());
   command
-      ->add_option("--mode", a.mode,
-                   "pruning: natural looks for the likely shape without needless handles, joint keeps most, "
-                   "paper is as Boissonnat and Memari")
+      ->add_option(
+          "--mode", a.mode,
+          "pruning: natural looks for the likely shape without needless handles, joint keeps the "
+          "largest solid subset of the tetrahedra, paper is as Boissonnat and Memari with a Step 3 that "
+          "does not close the solid on itself, paper-literal with Step 3 as printed; their samples of "
+          "the diagrams: --branching all --cutting")
       ->capture_default_str()
       ->check(CLI::IsMember(mode_names()));
   command->parse_complete_callback([command = command, &mode = a.mode] {

@@ -116,6 +116,16 @@ TEST_CASE("branching joins one section to several, and changes nothing where not
   }
 }
 
+TEST_CASE("Figure 14 is the convex hull by Step 3 as printed, and less by the one that was mended") {
+  const auto volume = [](PruneMode mode) {
+    const auto r = reconstruct(load("figures/fig14p.contour"), in_mode(mode));
+    REQUIRE(r.ok());
+    return r->report.volume;
+  };
+  CHECK(volume(PruneMode::paper_literal) == doctest::Approx(3.5447).epsilon(1e-4));
+  CHECK(volume(PruneMode::paper) == doctest::Approx(1.92).epsilon(0.01));
+}
+
 TEST_CASE("paper modes keep the promises; the literal Step 3 may pinch more") {
   for (const Scene& scene : kScenes)
     for (const PruneMode mode : {PruneMode::paper, PruneMode::paper_literal}) {
