@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <tuple>
 #include <utility>
 #include <vector>
 
 #include "../geom/box_tree.h"
 #include "surface_topology.h"
 #include "triangle_distance.h"
+#include "unit_scale.h"
 
 namespace crossloft {
 namespace {
@@ -204,6 +206,17 @@ void for_area_samples(const Surface& mesh, std::uint32_t count, Visit&& visit) {
   }
 }
 
+/// Numbers of the points that triangles use, ascending.
+std::vector<std::uint32_t> used_points(const Surface& mesh) {
+  std::vector<bool> used(mesh.points.size(), false);
+  for (const auto& t : mesh.triangles)
+    for (const std::uint32_t v : t) used[v] = true;
+  std::vector<std::uint32_t> numbers;
+  for (std::uint32_t v = 0; v < used.size(); ++v)
+    if (used[v]) numbers.push_back(v);
+  return numbers;
+}
+
 Distances distances(const Surface& from, const Surface& to, std::uint32_t samples) {
   NearestTriangle nearest(to);
   Distances out;
@@ -214,9 +227,10 @@ Distances distances(const Surface& from, const Surface& to, std::uint32_t sample
     out.largest = std::max(out.largest, d);
   });
   out.mean = samples > 0 ? sum / samples : 0;
-  const std::size_t step = std::max<std::size_t>(1, from.triangles.size() / std::max(samples, 1u));
-  for (std::size_t t = 0; t < from.triangles.size(); t += step)
-    out.largest = std::max(out.largest, nearest.distance(from.points[from.triangles[t][0]]));
+  const std::vector<std::uint32_t> vertices = used_points(from);
+  const std::size_t step = std::max<std::size_t>(1, vertices.size() / std::max(samples, 1u));
+  for (std::size_t k = 0; k < vertices.size(); k += step)
+    out.largest = std::max(out.largest, nearest.distance(from.points[vertices[k]]));
   return out;
 }
 
@@ -230,7 +244,7 @@ Shape shape_of(const Surface& mesh) {
   CheckReport report;
   check_topology(mesh, report);
   Shape shape{0, static_cast<std::uint32_t>(report.components.size()), report.genus};
-  const Vec3 center = bounds_of(mesh.points).center();
+  const Vec3 center = bounds_of_triangles(mesh).center();
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     const Corners c = corners(mesh, t);
     shape.volume += dot(c[0] - center, cross(c[1] - center, c[2] - center)) / 6;
@@ -238,16 +252,20 @@ Shape shape_of(const Surface& mesh) {
   return shape;
 }
 
-}  // namespace
+Bounds common_box(const Surface& a, const Surface& b) {
+  Bounds box = bounds_of_triangles(a);
+  box.join(bounds_of_triangles(b));
+  return box;
+}
 
-CompareReport compare(const Surface& a, const Surface& b, const CompareOptions& options) {
+/// REQUIRES: all that triangles use of size 1, where no product leaves the range of doubles.
+CompareReport compare_at_unit(const Surface& a, const Surface& b, const CompareOptions& options) {
   CompareReport report;
   const Shape shape_a = shape_of(a), shape_b = shape_of(b);
   report.volume_a = shape_a.volume, report.volume_b = shape_b.volume;
   report.components_a = shape_a.components, report.components_b = shape_b.components;
   report.genus_a = shape_a.genus, report.genus_b = shape_b.genus;
-  Bounds box = bounds_of(a.points);
-  box.join(bounds_of(b.points));
+  const Bounds box = common_box(a, b);
   report.diagonal = box.diagonal();
   if (!box.empty()) RayVolumes(a, b, box, options.rays).run(report);
   report.iou = report.union_volume > 0 ? report.intersection / report.union_volume : 1;
@@ -255,6 +273,19 @@ CompareReport compare(const Surface& a, const Surface& b, const CompareOptions& 
   report.distance_ab = ab.largest, report.mean_ab = ab.mean;
   report.distance_ba = ba.largest, report.mean_ba = ba.mean;
   return report;
+}
+
+}  // namespace
+
+CompareReport compare(const Surface& a, const Surface& b, const CompareOptions& options) {
+  const UnitScale scale(common_box(a, b));
+  CompareReport r = compare_at_unit(scale.to_unit(a), scale.to_unit(b), options);
+  for (double* volume :
+       {&r.volume_a, &r.volume_b, &r.ray_volume_a, &r.ray_volume_b, &r.intersection, &r.union_volume})
+    *volume = scale.volume(*volume);
+  for (double* length : {&r.distance_ab, &r.distance_ba, &r.mean_ab, &r.mean_ba, &r.diagonal})
+    *length = scale.length(*length);
+  return r;
 }
 
 }  // namespace crossloft

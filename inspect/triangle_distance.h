@@ -1,5 +1,6 @@
 #pragma once
-/// Distances from points to segments and triangles.
+/// Distances from points to segments and triangles, of sizes up to about 1: the formulas are of degree 6 in
+/// the size.
 
 #include <algorithm>
 
@@ -16,10 +17,10 @@ inline double squared_distance(const Vec3& p, const Vec3& a, const Vec3& b) {
 }
 
 /// The foot of the perpendicular if it is inside, else the nearest side. Degenerate triangles are their
-/// sides.
+/// sides, and so are those whose squared area is so small that its products would underflow.
 inline double squared_distance(const Vec3& p, const Corners& t) {
   const Vec3 n = cross(t[1] - t[0], t[2] - t[0]);
-  bool over = dot(n, n) > 0;
+  bool over = dot(n, n) >= 0x1p-500;
   for (int k = 0; k < 3 && over; ++k) {
     const Vec3 &a = t[k], &b = t[k == 2 ? 0 : k + 1];
     over = dot(cross(b - a, p - a), n) >= 0;

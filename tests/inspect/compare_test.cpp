@@ -60,3 +60,44 @@ TEST_CASE("the orientation of the axes does not matter") {
   CHECK(r.iou == doctest::Approx(turned.iou).epsilon(1e-9));
   CHECK(r.mean() == doctest::Approx(turned.mean()).epsilon(1e-9));
 }
+
+TEST_CASE("every vertex counts, also one that is no triangle's first") {
+  Surface spiked = cube();
+  append(spiked, tetrahedron({0.5, 0.5, 1}, {0.5 + 1e-6, 0.5, 1}, {0.5, 0.5 + 1e-6, 1}, {0.5, 0.5, 11}));
+  const std::uint32_t tip = 11;
+  for (auto& t : spiked.triangles)
+    while (t[0] == tip) t = {t[1], t[2], t[0]};
+  REQUIRE(spiked.points[tip].z == 11);
+  CHECK(compare(cube(), spiked).hausdorff() == doctest::Approx(10));
+  CHECK(compare(spiked, cube()).hausdorff() == doctest::Approx(10));
+}
+
+TEST_CASE("points of no triangle say nothing") {
+  Surface mesh = cube();
+  mesh.points.push_back({1e14, 0, 0});
+  const CompareReport r = compare(mesh, moved(cube(), {0, 0, 0.25}));
+  CHECK(r.diagonal < 3);
+  CHECK(r.iou == doctest::Approx(0.6));
+  CHECK(r.volume_a == 1);
+}
+
+TEST_CASE("sizes at which products of coordinates leave the range of doubles") {
+  const Surface a = cube(), b = moved(cube(), {0, 0, 0.25});
+  const CompareReport at_one = compare(a, b);
+  for (const int exponent : {-1022, -560, -365, -200, 200, 260, 340, 530, 1021}) {
+    CAPTURE(exponent);
+    const CompareReport r = compare(scaled(a, exponent), scaled(b, exponent));
+    CHECK(r.iou == at_one.iou);
+    CHECK(r.hausdorff() == std::ldexp(at_one.hausdorff(), exponent));
+    CHECK(r.diagonal == std::ldexp(at_one.diagonal, exponent));
+    CHECK(r.mean_ab == std::ldexp(at_one.mean_ab, exponent));
+    CHECK(r.volume_b == std::ldexp(at_one.volume_b, 3 * exponent));
+  }
+}
+
+TEST_CASE("the distance to a triangle thinner than products can tell is that to its sides") {
+  const Surface sliver = tetrahedron({0, 0, 0}, {1, 0, 0}, {0, 1e-161, 0}, {0, 0, 1e-161});
+  const CompareReport r = compare(sliver, moved(sliver, {0, 0, 0.25}));
+  CHECK(r.hausdorff() == doctest::Approx(0.25));
+  CHECK(r.mean() == doctest::Approx(0.25));
+}

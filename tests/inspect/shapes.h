@@ -1,6 +1,7 @@
 #pragma once
 /// Small meshes that several tests use.
 
+#include <cmath>
 #include <vector>
 
 #include "../../inspect/solids.h"
@@ -23,6 +24,15 @@ inline Surface cube(double low = 0, double high = 1) {
 
 inline Surface moved(Surface mesh, const Vec3& by) {
   for (Vec3& p : mesh.points) p = p + by;
+  return mesh;
+}
+
+/// Times 2^exponent.
+inline Vec3 scaled(const Vec3& p, int exponent) {
+  return {std::ldexp(p.x, exponent), std::ldexp(p.y, exponent), std::ldexp(p.z, exponent)};
+}
+inline Surface scaled(Surface mesh, int exponent) {
+  for (Vec3& p : mesh.points) p = scaled(p, exponent);
   return mesh;
 }
 
