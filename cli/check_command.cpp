@@ -53,6 +53,10 @@ void print_components(Terminal& terminal, const CheckReport& r) {
     terminal.print("genus        unknown, this is no closed manifold\n");
   }
   if (r.inverted > 0) terminal.print("inside out   %u components\n", r.inverted);
+  if (r.unknown_depths > 0)
+    terminal.print(
+        "not known    whether %u components are cavities or inside out: others touch them all over\n",
+        r.unknown_depths);
   terminal.print("volume       %.9g\narea         %.9g\n", r.volume, r.area);
   if (r.components.size() < 2) return;
   for (std::size_t i = 0; i < r.components.size(); ++i) {
@@ -94,21 +98,22 @@ Broken broken_promises(const CheckReport& r) {
   add(broken, r.crossings > 0, "triangles cross");
   add(broken, r.overlaps > 0, "triangles overlap in a plane");
   add(broken, r.inverted > 0, "components are inside out");
+  add(broken, r.unknown_depths > 0 && r.overlaps == 0, "components may be inside out");
   return broken;
 }
 
-std::string share(double area, const SectionCheck& check) {
+std::string in_words(double share) {
   std::array<char, 64> text{};
-  std::snprintf(text.data(), text.size(), " (%.3g of their area)", area / check.section_area);
+  std::snprintf(text.data(), text.size(), " (%.3g of their area)", share);
   return text.data();
 }
 
 /// A flat region of a section may be bare, but not most of it; solid where no section is is never right.
 void add_sections(Broken& broken, const SectionCheck& check, const Arguments& limits) {
-  add(broken, check.missing_area > limits.max_missing * check.section_area,
-      "sections are missing" + share(check.missing_area, check));
-  add(broken, check.extra_area > limits.max_extra * check.section_area,
-      "solid outside of the sections" + share(check.extra_area, check));
+  add(broken, check.missing_share > limits.max_missing,
+      "sections are missing" + in_words(check.missing_share));
+  add(broken, check.extra_share > limits.max_extra,
+      "solid outside of the sections" + in_words(check.extra_share));
   add(broken, check.distance > limits.max_distance * check.diagonal, "section boundaries are too far off");
 }
 

@@ -1,11 +1,14 @@
 #include "check.h"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 #include "../geom/box_tree.h"
 #include "../geom/ids.h"
 #include "../geom/triangle_meeting.h"
 #include "surface_topology.h"
+#include "unit_scale.h"
 
 namespace crossloft {
 namespace {
@@ -14,6 +17,9 @@ constexpr std::size_t kListedPairs = 16;
 /// Of six times one triangle's volume, and of one step of their sum, by the product of the three lengths that
 /// it comes from.
 constexpr double kTermRounding = 0x1p-50;
+/// Rays that ask for a component's depth start from so many triangles, from each of them at so many points.
+constexpr std::size_t kRayTriangles = 4;
+constexpr int kRaysPerTriangle = 8;
 
 std::vector<Bounds> triangle_boxes(const Surface& surface, std::span<const std::uint32_t> triangles) {
   std::vector<Bounds> boxes;
@@ -22,6 +28,26 @@ std::vector<Bounds> triangle_boxes(const Surface& surface, std::span<const std::
   return boxes;
 }
 
+/// The triangles of largest area in a component, as listed, the largest first; of equal ones the first.
+class LargestTriangles {
+ public:
+  void offer(double area, std::uint32_t triangle) {
+    for (std::size_t k = 0; k < kRayTriangles && triangle != kNone; ++k) {
+      if (triangles_[k] != kNone && area <= areas_[k]) continue;
+      std::swap(area, areas_[k]);
+      std::swap(triangle, triangles_[k]);
+    }
+  }
+  std::span<const std::uint32_t> list() const {
+    const auto end = std::find(triangles_.begin(), triangles_.end(), kNone);
+    return {triangles_.data(), static_cast<std::size_t>(end - triangles_.begin())};
+  }
+
+ private:
+  std::array<double, kRayTriangles> areas_{};
+  std::array<std::uint32_t, kRayTriangles> triangles_{kNone, kNone, kNone, kNone};
+};
+
 /// Geometric judgements; everything here reads coordinates and trusts indices.
 class Geometry {
  public:
@@ -29,12 +55,11 @@ class Geometry {
       : surface_(surface),
         topology_(topology),
         report_(report),
-        box_(bounds_of(surface.points)),
+        box_(bounds_of_triangles(surface)),
         tree_(triangle_boxes(surface, topology.triangles)) {}
 
   void run() {
     measure();
-    find_largest();
     count_degenerate();
     count_meetings();
     nest_components();
@@ -43,35 +68,41 @@ class Geometry {
  private:
   Corners corners_of(std::uint32_t listed) const { return corners(surface_, topology_.triangles[listed]); }
 
-  double area_of(std::uint32_t listed) const {
-    const Corners t = corners_of(listed);
-    return 0.5 * norm(cross(t[1] - t[0], t[2] - t[0]));
+  /// Each component by its own scale: the sign of a small one's volume must not get lost beside a large one.
+  std::vector<UnitScale> scales() const {
+    std::vector<Bounds> boxes(report_.components.size());
+    for (std::uint32_t i = 0; i < topology_.triangles.size(); ++i)
+      boxes[topology_.component[i]].join(bounds_of(corners_of(i)));
+    return {boxes.begin(), boxes.end()};
   }
 
   /// Volumes relative to a corner of the component: further away the terms would cancel.
   void measure() {
+    const std::vector<UnitScale> scale = scales();
+    largest_.resize(report_.components.size());
     for (std::uint32_t i = 0; i < topology_.triangles.size(); ++i) {
-      ComponentReport& c = report_.components[topology_.component[i]];
-      const Vec3 base = corners(surface_, c.first_triangle)[0];
+      const std::uint32_t component = topology_.component[i];
+      ComponentReport& c = report_.components[component];
+      const auto at_unit = [&unit = scale[component]](const Vec3& v) { return unit.to_unit(v); };
+      const Vec3 base = at_unit(corners(surface_, c.first_triangle)[0]);
       const Corners t = corners_of(i);
-      const Vec3 p = t[0] - base, e = t[1] - t[0], f = t[2] - t[0];
-      c.volume += dot(p, cross(e, f));
-      c.volume_rounding += kTermRounding * norm(p) * norm(e) * norm(f);
-      report_.area += area_of(i);
+      const Vec3 p = at_unit(t[0]), e = at_unit(t[1]) - p, f = at_unit(t[2]) - p, from_base = p - base;
+      c.volume += dot(from_base, cross(e, f));
+      c.volume_rounding += kTermRounding * norm(from_base) * norm(e) * norm(f);
+      const double area = 0.5 * norm(cross(e, f));
+      largest_[component].offer(area, i);
+      report_.area += scale[component].area(area);
     }
-    for (ComponentReport& c : report_.components) {
-      c.volume /= 6;
-      c.volume_rounding *= c.triangles / 6.0;
-      report_.volume += c.volume;
-    }
+    for (std::size_t k = 0; k < largest_.size(); ++k) finish_volume(report_.components[k], scale[k]);
   }
 
-  void find_largest() {
-    largest_.resize(report_.components.size(), kNone);
-    for (std::uint32_t i = 0; i < topology_.triangles.size(); ++i) {
-      std::uint32_t& largest = largest_[topology_.component[i]];
-      if (largest == kNone || area_of(i) > area_of(largest)) largest = i;
-    }
+  void finish_volume(ComponentReport& c, const UnitScale& scale) {
+    c.volume /= 6;
+    c.volume_rounding *= c.triangles / 6.0;
+    c.volume_sign_known = c.volume > c.volume_rounding || c.volume < -c.volume_rounding;
+    c.volume = scale.volume(c.volume);
+    c.volume_rounding = scale.volume(c.volume_rounding);
+    report_.volume += c.volume;
   }
 
   void count_degenerate() {
@@ -107,24 +138,40 @@ class Geometry {
                                         [](const ComponentReport& c) { return c.manifold; });
     if (!all_closed) return;
     if (report_.components.size() > 1)
-      for (std::uint32_t c = 0; c < report_.components.size(); ++c) report_.components[c].depth = depth_of(c);
+      for (std::uint32_t c = 0; c < report_.components.size(); ++c) find_depth(c);
     for (const ComponentReport& c : report_.components) {
       report_.cavities += c.cavity();
       report_.inverted += c.inverted();
+      report_.unknown_depths += !c.depth_known;
     }
   }
 
   /// Number of other components that a ray from this one leaves an odd number of times. Rays that touch an
-  /// edge or vertex say nothing exact; then another direction is tried. They start from the largest triangle:
-  /// within a needle rounding might bring the start through a neighbour.
-  std::uint32_t depth_of(std::uint32_t component) const {
-    const Corners t = corners_of(largest_[component]);
-    const Vec3 from = (1.0 / 3) * (t[0] + t[1] + t[2]);
+  /// edge or vertex, or start where another component touches this one, say nothing exact; then another point
+  /// and direction is tried. They start within the largest triangles: within a needle rounding might bring
+  /// the start through a neighbour.
+  void find_depth(std::uint32_t component) {
     std::vector<std::uint32_t> left;
-    for (int attempt = 0; attempt < 16; ++attempt)
-      if (components_left(from, far_point(from, attempt), component, left)) break;
-    std::sort(left.begin(), left.end());
-    return odd_runs(left);
+    int attempt = 0;
+    for (const std::uint32_t triangle : largest_[component].list())
+      for (int k = 0; k < kRaysPerTriangle; ++k, ++attempt) {
+        const Vec3 from = inner_point(corners_of(triangle), k);
+        if (!components_left(from, far_point(from, attempt), component, left)) continue;
+        std::sort(left.begin(), left.end());
+        report_.components[component].depth = odd_runs(left);
+        return;
+      }
+    report_.components[component].depth_known = false;
+  }
+
+  /// The centroid, then points around it after the additive recurrence of the plastic number (Roberts 2018).
+  static Vec3 inner_point(const Corners& t, int k) {
+    const Vec3 centroid = (1.0 / 3) * (t[0] + t[1] + t[2]);
+    if (k == 0) return centroid;
+    double u = k * 0.75487766624669276, v = k * 0.56984029099805327;
+    u -= std::floor(u), v -= std::floor(v);
+    if (u + v > 1) u = 1 - u, v = 1 - v;
+    return 0.5 * centroid + 0.5 * (t[0] + u * (t[1] - t[0]) + v * (t[2] - t[0]));
   }
 
   Vec3 far_point(const Vec3& from, int attempt) const {
@@ -161,7 +208,7 @@ class Geometry {
   CheckReport& report_;
   Bounds box_;
   BoxTree tree_;
-  std::vector<std::uint32_t> largest_;  // by component: the triangle of the largest area, as listed
+  std::vector<LargestTriangles> largest_;  // by component
 };
 
 }  // namespace

@@ -4,6 +4,7 @@
 /// given sections.
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -22,15 +23,17 @@ struct ComponentReport {
   std::int64_t genus = 0;   ///< 1 - euler / 2 if manifold, else 0
   double volume = 0;        ///< signed, in cubed input units; negative if its inside is on the wrong side
   double volume_rounding = 0;  ///< bound of its error: within that of 0 the sign says nothing
-  std::uint32_t depth = 0;     ///< number of other components that enclose it (counted if all are manifold)
+  bool volume_sign_known = false;  ///< told at size 1: also where volume and bound are both infinite or 0
+  std::uint32_t depth = 0;  ///< number of other components that enclose it (counted if all are manifold)
+  bool depth_known = true;  ///< false if another component touches this one wherever a ray was tried
   std::uint32_t first_triangle = 0;
 
-  /// A hole inside the solid that can't be seen from outside.
-  bool cavity() const { return volume < 0 && depth % 2 == 1; }
+  /// A hole inside the solid that can't be seen from outside. (A volume too small for a double keeps its
+  /// sign.)
+  bool cavity() const { return std::signbit(volume) && depth_known && depth % 2 == 1; }
   /// Inside out: its orientation contradicts its depth.
   bool inverted() const {
-    const bool is_sure = volume > volume_rounding || volume < -volume_rounding;
-    return manifold && is_sure && (volume < 0) != (depth % 2 == 1);
+    return manifold && volume_sign_known && depth_known && std::signbit(volume) != (depth % 2 == 1);
   }
 };
 
@@ -54,6 +57,7 @@ struct CheckReport {
 
   std::vector<ComponentReport> components;  ///< by first triangle
   std::uint32_t cavities = 0, inverted = 0;  ///< of them, counted if all are manifold
+  std::uint32_t unknown_depths = 0;          ///< of them, those that may be either: their depth is not known
   std::int64_t genus = 0;       ///< sum over the components
   /// Signed volume and area of the whole. Doubles have no volume of sizes beyond 1e102 or below 1e-107 and no
   /// area of those beyond 1e154 or below 1e-161: there they are infinite, not a number or 0.
@@ -77,7 +81,8 @@ struct CheckReport {
 CheckReport check_surface(const Surface& surface);
 
 struct SectionCheckOptions {
-  /// Vertices this close to a plane lie on it; a fraction of the diagonal of surface and sections.
+  /// Vertices this close to a plane lie on it; a fraction of the diagonal of surface (triangles) and
+  /// sections.
   double on_plane = 1e-6;
   /// Of frame_sections(), for check_framed_sections() only; a fraction of the diagonal of the contours.
   double plane_tolerance = 1e-3;
@@ -104,9 +109,12 @@ struct PlaneCheck {
 struct SectionCheck {
   std::vector<PlaneCheck> planes;                             ///< in the order of the sections
   double section_area = 0, missing_area = 0, extra_area = 0;  ///< sums
+  /// The last two as fractions of section_area; infinite where that is 0. They tell what the areas don't at
+  /// sizes beyond 1e154 or below 1e-161, where these are infinite or 0.
+  double missing_share = 0, extra_share = 0;
   double distance = 0;                                        ///< largest
   double section_off_plane = 0, section_displacement = 0;     ///< largest
-  double diagonal = 0;  ///< of the box of surface and sections, the unit of `on_plane`
+  double diagonal = 0;  ///< of the box of triangles and sections, the unit of `on_plane`
 
   double difference_area() const { return missing_area + extra_area; }
 };
@@ -119,8 +127,8 @@ struct SectionCheck {
 /// of the squared diagonal; a vertex that is within `on_plane` by chance adds at most that height times the
 /// cotangent of its slope. Distances are sampled at steps of 1/512 of the section's diagonal and at all
 /// vertices; pieces of a boundary shorter than 1e-8 of it are not judged.
-/// O((n + s) log s) a plane for n triangles and s boundary segments. Planes whose normal is 0 or not finite
-/// report zeros; triangles and edges that name a point that is not there are left out.
+/// O((n + s) log s) a plane for n triangles and s boundary segments. Planes whose normal is 0 or that are not
+/// finite report zeros; triangles and edges that name a point that is not there are left out.
 SectionCheck check_sections(const Surface& surface, const Sections& sections,
                             const SectionCheckOptions& options = {});
 

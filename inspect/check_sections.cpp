@@ -5,6 +5,7 @@
 #include "check.h"
 #include "planar_layers.h"
 #include "triangle_distance.h"
+#include "unit_scale.h"
 
 namespace crossloft {
 namespace {
@@ -21,8 +22,7 @@ constexpr double kNoCrossing = 1e-14;
 
 /// Orthonormal coordinates of a plane, z the height over it.
 struct PlaneFrame {
-  PlaneFrame(const Vec3& normal, double offset, const Vec3& near) {
-    const UnitPlane plane = unit_plane(normal, offset);
+  PlaneFrame(const UnitPlane& plane, const Vec3& near) {
     w = plane.normal;
     const double x = std::abs(w.x), y = std::abs(w.y), z = std::abs(w.z);
     const Vec3 other = x <= y && x <= z ? Vec3{1, 0, 0} : y <= z ? Vec3{0, 1, 0} : Vec3{0, 0, 1};
@@ -38,14 +38,12 @@ struct PlaneFrame {
 
 Vec3 flat(const Vec3& p) { return {p.x, p.y, 0}; }
 
-/// The judgement of one plane; see check_sections.
+/// The judgement of one plane, all at size 1; see check_sections.
 class PlaneJudge {
  public:
-  PlaneJudge(const Surface& surface, const PlaneSection& section, const Vec3& center, double on_plane)
-      : surface_(surface),
-        section_(section),
-        on_plane_(on_plane),
-        frame_(section.normal, section.offset, center) {}
+  PlaneJudge(const Surface& surface, const PlaneSection& section, const UnitPlane& plane, const Vec3& center,
+             double on_plane)
+      : surface_(surface), section_(section), on_plane_(on_plane), frame_(plane, center) {}
 
   PlaneCheck run() {
     add_slices();
@@ -176,25 +174,59 @@ class PlaneJudge {
   PlaneCheck check_;
 };
 
+/// Of the surface's triangles and the sections' vertices.
+Bounds common_box(const Surface& surface, const Sections& sections) {
+  Bounds box = bounds_of_triangles(surface);
+  for (const PlaneSection& s : sections.planes) box.join(bounds_of(s.vertices));
+  return box;
+}
+
+/// REQUIRES: surface and sections of size 1, but for the planes, whose size `scale` knows.
+SectionCheck check_at_unit(const Surface& surface, const Sections& sections, const UnitScale& scale,
+                           const SectionCheckOptions& options) {
+  SectionCheck check;
+  const Bounds box = common_box(surface, sections);
+  check.diagonal = box.diagonal();
+  const Vec3 center = box.empty() ? Vec3{} : box.center();
+  for (const PlaneSection& s : sections.planes) {
+    PlaneCheck plane;
+    if (s.normal != Vec3{} && is_finite(s.normal) && std::isfinite(s.offset)) {
+      const UnitPlane at_unit = scale.to_unit(s.normal, s.offset);
+      plane = PlaneJudge(surface, s, at_unit, center, options.on_plane * check.diagonal).run();
+    }
+    plane.plane = position_of(sections, static_cast<std::uint32_t>(check.planes.size()));
+    check.planes.push_back(plane);
+    check.section_area += plane.section_area;
+    check.missing_area += plane.missing_area;
+    check.extra_area += plane.extra_area;
+    check.distance = std::max(check.distance, plane.distance);
+  }
+  return check;
+}
+
+double share(double part, double whole) { return part > 0 ? part / whole : 0; }
+
+void scale_back(PlaneCheck& plane, const UnitScale& scale) {
+  for (double* area : {&plane.section_area, &plane.surface_area, &plane.missing_area, &plane.extra_area})
+    *area = scale.area(*area);
+  for (double* length : {&plane.distance, &plane.off_plane}) *length = scale.length(*length);
+}
+
 }  // namespace
 
 SectionCheck check_sections(const Surface& surface, const Sections& sections,
                             const SectionCheckOptions& options) {
-  SectionCheck check;
-  Bounds box = bounds_of(surface.points);
-  for (const PlaneSection& s : sections.planes) box.join(bounds_of(s.vertices));
-  check.diagonal = box.diagonal();
-  const Vec3 center = box.empty() ? Vec3{} : box.center();
-  for (const PlaneSection& s : sections.planes) {
-    check.planes.emplace_back();
-    if (s.normal != Vec3{} && is_finite(s.normal))
-      check.planes.back() = PlaneJudge(surface, s, center, options.on_plane * check.diagonal).run();
-    check.planes.back().plane = position_of(sections, static_cast<std::uint32_t>(check.planes.size() - 1));
-    check.section_area += check.planes.back().section_area;
-    check.missing_area += check.planes.back().missing_area;
-    check.extra_area += check.planes.back().extra_area;
-    check.distance = std::max(check.distance, check.planes.back().distance);
-  }
+  const UnitScale scale(common_box(surface, sections));
+  Sections at_unit = sections;
+  for (PlaneSection& s : at_unit.planes)
+    for (Vec3& v : s.vertices) v = scale.to_unit(v);
+  SectionCheck check = check_at_unit(scale.to_unit(surface), at_unit, scale, options);
+  check.missing_share = share(check.missing_area, check.section_area);
+  check.extra_share = share(check.extra_area, check.section_area);
+  for (double* area : {&check.section_area, &check.missing_area, &check.extra_area})
+    *area = scale.area(*area);
+  for (double* length : {&check.distance, &check.diagonal}) *length = scale.length(*length);
+  for (PlaneCheck& plane : check.planes) scale_back(plane, scale);
   return check;
 }
 

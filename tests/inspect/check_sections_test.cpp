@@ -122,6 +122,33 @@ TEST_CASE("missing and extra areas and the distance are measured") {
   CHECK(check_one(cube(), empty).distance == 0);
 }
 
+TEST_CASE("sections at sizes where areas are infinite or 0 are judged like any") {
+  PlaneSection met = square(0.5, 0.5, 1), beyond = square(5, 0, 1);
+  for (const int exponent : {-1000, -560, -530, -300, 0, 300, 520, 600, 1000}) {
+    CAPTURE(exponent);
+    Sections sections{"", {met, beyond}};
+    for (PlaneSection& s : sections.planes) {
+      s.offset = std::ldexp(s.offset, exponent);
+      for (Vec3& v : s.vertices) v = scaled(v, exponent);
+    }
+    const SectionCheck r = check_sections(scaled(cube(), exponent), sections);
+    CHECK(r.missing_share == doctest::Approx(1 / 1.25));
+    CHECK(r.extra_share == doctest::Approx(0.75 / 1.25));
+    CHECK(r.planes[0].distance == doctest::Approx(std::ldexp(std::sqrt(0.5), exponent)));
+    CHECK(r.planes[0].extra_area == std::ldexp(check_one(cube(), met).extra_area, 2 * exponent));
+    CHECK(std::isinf(r.planes[1].distance));
+  }
+  CHECK(check_sections(cube(), {"", {}}).extra_share == 0);
+}
+
+TEST_CASE("a point of no triangle does not make all near a plane") {
+  Surface mesh = cube();
+  mesh.points.push_back({1e14, 0, 0});
+  const PlaneCheck r = check_one(mesh, square(0.5, 0, 1));
+  CHECK(r.surface_area == doctest::Approx(1));
+  CHECK(r.difference_area() < 1e-14);
+}
+
 TEST_CASE("crossing outlines have exact areas") {
   PlaneSection diamond = square(0.5, 0, 1);
   diamond.vertices = {{0.5, -0.5, 0.5}, {1.5, 0.5, 0.5}, {0.5, 1.5, 0.5}, {-0.5, 0.5, 0.5}};

@@ -129,6 +129,48 @@ TEST_CASE("a turned component inside another is a cavity, a further one inside i
   CHECK(r.volume == doctest::Approx(1000 - 216 + 8 + 1));
 }
 
+TEST_CASE("a component that another touches just where its ray would start") {
+  Surface mesh = tetrahedron({-0.1, 1, 1}, {0, 0, 0}, {0, 3, 0}, {0, 0, 3});
+  append(mesh, tetrahedron({0, 1, 1}, {4, -2, -2}, {4, 6, -2}, {4, 1, 6}));  // at the centroid of the largest
+  const CheckReport r = check_surface(mesh);
+  CHECK(r.good_topology());
+  CHECK(r.crossings + r.overlaps == 0);
+  CHECK(r.components[0].depth == 0);
+  CHECK(r.components[0].depth_known);
+  CHECK(r.inverted == 0);
+  CHECK(r.cavities == 0);
+}
+
+TEST_CASE("of components that cover each other all over no depth is known") {
+  Surface mesh = cube();
+  append(mesh, inside_out(cube()));
+  const CheckReport r = check_surface(mesh);
+  CHECK(r.unknown_depths == 2);
+  CHECK(r.inverted == 0);
+  CHECK_FALSE(r.components[0].depth_known);
+}
+
+TEST_CASE("inside out at any size, also where volumes are infinite or 0") {
+  Surface mesh = cube(0, 10);
+  append(mesh, inside_out(cube(2, 8)));
+  append(mesh, cube(3, 7));
+  append(mesh, inside_out(cube(20, 21)));
+  for (const int exponent : {-900, -560, -370, -300, 0, 300, 345, 520, 1000}) {
+    CAPTURE(exponent);
+    const CheckReport r = check_surface(scaled(mesh, exponent));
+    CHECK(r.cavities == 1);
+    CHECK(r.inverted == 1);
+    CHECK(r.components[3].inverted());
+    CHECK(r.unknown_depths == 0);
+    CHECK(r.components[1].volume == std::ldexp(-216.0, 3 * exponent));
+  }
+  append(mesh, inside_out(cube(30, 30 + 1e-9)));
+  for (Vec3& p : mesh.points) p = p - Vec3{30, 30, 30};
+  for (std::size_t k = mesh.points.size() - 8; k < mesh.points.size(); ++k)
+    mesh.points[k] = 1e-160 * mesh.points[k];
+  CHECK(check_surface(mesh).inverted == 2);  // beside the others as small as that
+}
+
 TEST_CASE("degenerate and impossible triangles are counted and left out") {
   Surface mesh = cube();
   mesh.points.push_back(mesh.points[0]);
