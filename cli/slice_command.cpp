@@ -2,6 +2,7 @@
 #include <vector>
 
 #include "../inspect/slice.h"
+#include "../inspect/unit_scale.h"
 #include "../io/read_mesh.h"
 #include "../io/write_sections.h"
 #include "arguments.h"
@@ -45,7 +46,7 @@ ExitCode run(const Arguments& arguments) {
     return terminal.fail(outputs.error());
   const auto mesh = read_surface(arguments.mesh, context);
   if (!mesh) return terminal.fail(mesh.error());
-  const auto planes = chosen_planes(arguments, bounds_of(mesh->points));
+  const auto planes = chosen_planes(arguments, bounds_of_triangles(*mesh));
   if (!planes) return terminal.fail(planes.error());
   auto sections = slice(*mesh, *planes);
   if (!sections) {

@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <tuple>
+#include <utility>
 
-#include "../geom/unit_plane.h"
 #include "contour_tracing.h"
+#include "unit_scale.h"
 
 namespace crossloft {
 namespace {
@@ -35,6 +37,23 @@ Error error(ErrorCode code, const char* message, std::uint32_t plane = kNone) {
   return e;
 }
 
+Result<Done> validate(const Surface& mesh, std::span<const CuttingPlane> planes) {
+  if (mesh.triangles.empty()) return error(ErrorCode::not_closed, "the mesh has no triangle to be cut");
+  if (planes.empty()) return error(ErrorCode::no_plane, "no cutting plane given");
+  for (const Vec3& p : mesh.points)
+    if (!is_finite(p)) return error(ErrorCode::not_finite, "a point of the mesh is not finite");
+  for (const auto& t : mesh.triangles)
+    if (std::max({t[0], t[1], t[2]}) >= mesh.points.size())
+      return error(ErrorCode::index_out_of_range, "a triangle of the mesh names a point that is not there");
+  for (std::uint32_t i = 0; i < planes.size(); ++i) {
+    const auto& [n, offset] = planes[i];
+    if (!is_finite(n) || !std::isfinite(offset))
+      return error(ErrorCode::not_finite, "the plane is not finite", i);
+    if (n == Vec3{}) return error(ErrorCode::zero_normal, "the plane's normal is zero", i);
+  }
+  return Done{};
+}
+
 /// A mesh edge cut by a plane.
 struct EdgeCut {
   std::uint32_t edge = 0, plane = 0;
@@ -50,17 +69,47 @@ struct Chord {
   std::vector<Vec3> inner;  // where other planes cross it
 };
 
+/// Crossings of chords in one triangle, in the order of their finding.
+class KnownPoints {
+ public:
+  explicit KnownPoints(double close) : close_(close) {}
+
+  /// The first known point this near, or the point itself, which then is known.
+  Vec3 known_or_new(const Vec3& point) {
+    const double place = dot(kAlong, point);
+    std::uint32_t first = kNone;
+    const auto end = by_place_.upper_bound(place + 2 * close_);  // twice, to be sure in spite of rounding
+    for (auto near = by_place_.lower_bound(place - 2 * close_); near != end; ++near)
+      if (near->second < first && norm(points_[near->second] - point) <= close_) first = near->second;
+    if (first != kNone) return points_[first];
+    by_place_.emplace(place, static_cast<std::uint32_t>(points_.size()));
+    points_.push_back(point);
+    return point;
+  }
+
+ private:
+  /// Of length 1, and across no face that meshes often have: of that all points would be in one place.
+  static constexpr Vec3 kAlong{0.6, 0.48, 0.64};
+
+  double close_;
+  std::vector<Vec3> points_;
+  std::multimap<double, std::uint32_t> by_place_;
+};
+
 /// The steps, in the order of run(). All that is decided on a mesh edge is decided from the heights of its
-/// two ends in one way, so the triangles on both its sides and all planes agree.
+/// two ends in one way, so the triangles on both its sides and all planes agree. All at size 1, from the
+/// mesh's points and planes up to the segments that are traced.
 class Slicer {
  public:
   Slicer(const Surface& mesh, std::span<const CuttingPlane> planes)
-      : mesh_(mesh), given_(planes), close_(1e-13 * bounds_of(mesh.points).diagonal()) {}
+      : given_(planes),
+        scale_(bounds_of_triangles(mesh)),
+        mesh_(scale_.to_unit(mesh)),
+        close_(1e-13 * bounds_of_triangles(mesh_).diagonal()) {}
 
   Result<Sections> run() {
-    Result<Done> valid = validate();
-    if (!valid) return valid.error();
-    for (const CuttingPlane& plane : given_) planes_.push_back(unit_plane(plane.normal, plane.offset));
+    for (const CuttingPlane& plane : given_) planes_.push_back(scale_.to_unit(plane.normal, plane.offset));
+    number_directions();
     number_edges();
     if (!closed_) return error(ErrorCode::not_closed, "the mesh is not closed, so it bounds no solid");
     cut_edges();
@@ -71,21 +120,16 @@ class Slicer {
   }
 
  private:
-  Result<Done> validate() const {
-    if (mesh_.triangles.empty()) return error(ErrorCode::not_closed, "the mesh has no triangle to be cut");
-    if (given_.empty()) return error(ErrorCode::no_plane, "no cutting plane given");
-    for (const Vec3& p : mesh_.points)
-      if (!is_finite(p)) return error(ErrorCode::not_finite, "a point of the mesh is not finite");
-    for (const auto& t : mesh_.triangles)
-      if (std::max({t[0], t[1], t[2]}) >= mesh_.points.size())
-        return error(ErrorCode::index_out_of_range, "a triangle of the mesh names a point that is not there");
-    for (std::uint32_t i = 0; i < given_.size(); ++i) {
-      const auto& [n, offset] = given_[i];
-      if (!is_finite(n) || !std::isfinite(offset))
-        return error(ErrorCode::not_finite, "the plane is not finite", i);
-      if (n == Vec3{}) return error(ErrorCode::zero_normal, "the plane's normal is zero", i);
+  /// Equal ones for planes of the same or the opposite normal, which have no line.
+  void number_directions() {
+    const auto upward = [](const Vec3& n) { return n < -n ? -n : n; };
+    std::vector<Vec3> directions;
+    for (const UnitPlane& plane : planes_) directions.push_back(upward(plane.normal));
+    std::sort(directions.begin(), directions.end());
+    for (const UnitPlane& plane : planes_) {
+      const auto first = std::lower_bound(directions.begin(), directions.end(), upward(plane.normal));
+      direction_.push_back(static_cast<std::uint32_t>(first - directions.begin()));
     }
-    return Done{};
   }
 
   /// Edge numbers of all triangle sides, and whether every edge has an even number of triangles.
@@ -169,6 +213,7 @@ class Slicer {
 
   /// The chords of each triangle, by plane. A plane cuts none or two sides.
   void cut_triangles() {
+    chord_of_plane_.assign(planes_.size(), kNoChord);
     for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
       const std::size_t begin = chords_.size();
       for (std::uint32_t k = 0; k < 3; ++k)
@@ -179,13 +224,13 @@ class Slicer {
   }
 
   void add_cut(std::uint32_t triangle, std::uint32_t side, const EdgeCut& cut, std::size_t begin) {
-    const auto known = std::find_if(chords_.begin() + static_cast<std::ptrdiff_t>(begin), chords_.end(),
-                                    [&](const Chord& c) { return c.plane == cut.plane; });
-    if (known == chords_.end()) {
+    const std::size_t known = chord_of_plane_[cut.plane];
+    if (known == kNoChord || known < begin) {  // none yet but of earlier triangles
+      chord_of_plane_[cut.plane] = chords_.size();
       chords_.push_back({triangle, cut.plane, side, 0, cut.point, {}, {}});
     } else {
-      known->leave = side;
-      known->q = cut.point;
+      chords_[known].leave = side;
+      chords_[known].q = cut.point;
     }
   }
 
@@ -198,22 +243,32 @@ class Slicer {
 
   /// Planes of a pencil cross in one point up to rounding: all take the point of the first two.
   void cross_chords_of_triangle(std::span<Chord> chords) const {
-    std::vector<Vec3> points;
+    KnownPoints points(close_);
+    const std::vector<std::size_t> run_end = ends_of_runs(chords);
     for (std::size_t i = 0; i < chords.size(); ++i)
       for (std::size_t j = i + 1; j < chords.size(); ++j) {
+        if (direction_[chords[i].plane] == direction_[chords[j].plane]) {
+          j = run_end[j] - 1;
+          continue;
+        }
         if (parallel(planes_[chords[i].plane].normal, planes_[chords[j].plane].normal)) continue;
         if (!interleave(chords[i], chords[j])) continue;
-        const Vec3 point = known_or_new(points, crossing_point(chords[i], chords[j]));
+        const Vec3 point = points.known_or_new(crossing_point(chords[i], chords[j]));
         chords[i].inner.push_back(point);
         chords[j].inner.push_back(point);
       }
   }
 
-  Vec3 known_or_new(std::vector<Vec3>& points, const Vec3& point) const {
-    for (const Vec3& p : points)
-      if (norm(p - point) <= close_) return p;
-    points.push_back(point);
-    return point;
+  /// Per chord the first one after it of a plane in another direction: a stack of parallel planes is passed
+  /// by at once.
+  std::vector<std::size_t> ends_of_runs(std::span<const Chord> chords) const {
+    std::vector<std::size_t> ends(chords.size());
+    for (std::size_t i = chords.size(); i-- > 0;) {
+      const bool goes_on =
+          i + 1 < chords.size() && direction_[chords[i].plane] == direction_[chords[i + 1].plane];
+      ends[i] = goes_on ? ends[i + 1] : i + 1;
+    }
+    return ends;
   }
 
   /// Two chords of a triangle cross iff their four ends alternate around it. Two of three sides each: they
@@ -261,27 +316,32 @@ class Slicer {
     return sections;
   }
 
-  static void append_pieces(Chord& c, std::vector<std::array<Vec3, 2>>& segments) {
+  void append_pieces(Chord& c, std::vector<std::array<Vec3, 2>>& segments) const {
     const Vec3 direction = c.q - c.p;
     std::sort(c.inner.begin(), c.inner.end(), [&](const Vec3& a, const Vec3& b) {
       const double x = dot(a - c.p, direction), y = dot(b - c.p, direction);
       return x != y ? x < y : a < b;
     });
-    Vec3 from = c.p;
-    for (const Vec3& to : c.inner) {
+    c.inner.push_back(c.q);
+    Vec3 from = scale_.point(c.p);
+    for (const Vec3& inner : c.inner) {
+      const Vec3 to = scale_.point(inner);
       segments.push_back({from, to});
       from = to;
     }
-    segments.push_back({from, c.q});
   }
 
-  const Surface& mesh_;
   std::span<const CuttingPlane> given_;
-  std::vector<UnitPlane> planes_;                    // the same with unit normals
+  UnitScale scale_;
+  Surface mesh_;
+  std::vector<UnitPlane> planes_;                    // those given, with unit normals
+  std::vector<std::uint32_t> direction_;             // of the planes
   double close_;                                     // points this near are one point up to rounding
   std::vector<std::array<std::uint32_t, 2>> edges_;  // lower vertex first
   std::vector<std::uint32_t> edge_of_side_;          // of side k of triangle t at 3 t + k
   bool closed_ = true;
+  static constexpr std::size_t kNoChord = ~std::size_t{0};
+  std::vector<std::size_t> chord_of_plane_;  // while cutting, the last one of each plane
   std::vector<EdgeCut> cuts_;           // by edge, then plane
   std::vector<std::size_t> first_cut_;  // per edge
   std::vector<Chord> chords_;           // by triangle, then plane
@@ -290,7 +350,11 @@ class Slicer {
 }  // namespace
 
 Result<Sections> slice(const Surface& closed_mesh, std::span<const CuttingPlane> planes) {
-  return or_out_of_memory([&]() -> Result<Sections> { return Slicer(closed_mesh, planes).run(); });
+  return or_out_of_memory([&]() -> Result<Sections> {
+    Result<Done> valid = validate(closed_mesh, planes);
+    if (!valid) return valid.error();
+    return Slicer(closed_mesh, planes).run();
+  });
 }
 
 }  // namespace crossloft

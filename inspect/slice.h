@@ -26,12 +26,14 @@ struct CuttingPlane {
 /// (2) Consistent: where a triangle meets the line of planes i and j, both sections have a vertex with
 ///     bitwise the same coordinates. Both decide that from the same signs, so neither has it alone.
 ///     Parallel planes have no line.
-/// (3) A mesh vertex on a plane (within 1e-13 of the mesh's diagonal) counts as above it: the section is the
-/// limit of slices from below
+/// (3) A mesh vertex on a plane (within 1e-13 of the diagonal of the triangles' box) counts as above it: the
+/// section is the limit of slices from below
 ///     the plane, as seen along the normal. Pieces that thereby collapse to a point or a segment vanish.
-/// Errors: not_closed (an edge in an odd number of triangles), index_out_of_range, not_finite, zero_normal
-/// (with the plane's number), no_plane. O(n k + c k log c) for n triangles, k planes, c cut triangles a
-/// plane.
+/// The same at any size: cut at size 1 and scaled back. Points of no triangle don't count, but must be
+/// finite. Errors: not_closed (an edge in an odd number of triangles), index_out_of_range, not_finite,
+/// zero_normal (with the plane's number), no_plane. O(n k + c log c + p) for n triangles, k planes, c pairs
+/// of a triangle and a plane that cuts it, p triples of a triangle and two planes of different normals that
+/// cut it.
 Result<Sections> slice(const Surface& closed_mesh, std::span<const CuttingPlane> planes);
 
 // Sets of planes for a box; the same on every platform. Empty for k = 0 or an empty box.

@@ -196,6 +196,41 @@ TEST_CASE("what bounds no solid is refused") {
   CHECK(slice(open, plane).error().code == ErrorCode::not_finite);
 }
 
+TEST_CASE("points of no triangle say nothing") {
+  Surface mesh = cube();
+  mesh.points.push_back({1e14, 0, 0});
+  const std::vector<CuttingPlane> plane{{{0, 0, 1}, -0.5}};
+  CHECK(sliced(mesh, plane).planes[0].vertices == sliced(cube(), plane).planes[0].vertices);
+  mesh.points.back() = {1e300, 0, 0};
+  CHECK(slice(scaled(mesh, -1000), plane).ok());
+}
+
+TEST_CASE("sections at any size are those at size 1, scaled") {
+  const Surface mesh = torus(1, 0.4, 40, 20);
+  const std::vector<CuttingPlane> planes = random_planes(bounds_of(mesh.points), 12, 3);
+  const Sections at_one = sliced(mesh, planes);
+  for (const int exponent : {-960, -700, -530, 530, 700, 1000}) {
+    CAPTURE(exponent);
+    std::vector<CuttingPlane> scaled_planes = planes;
+    for (CuttingPlane& plane : scaled_planes) plane.offset = std::ldexp(plane.offset, exponent);
+    const auto s = slice(scaled(mesh, exponent), scaled_planes);
+    REQUIRE(s.ok());
+    for (std::size_t i = 0; i < planes.size(); ++i) {
+      std::vector<Vec3> expected;
+      for (const Vec3& v : at_one.planes[i].vertices) expected.push_back(scaled(v, exponent));
+      CHECK(s->planes[i].vertices == expected);
+      CHECK(s->planes[i].edges.size() == at_one.planes[i].edges.size());
+    }
+  }
+}
+
+TEST_CASE("a plane much further off than the mesh is large meets nothing, whatever its offset") {
+  const std::vector<CuttingPlane> planes{{{0, 0, 1}, 1e300}, {{1, 1, 1}, -1e300}, {{1e-300, 0, 0}, 1e300}};
+  const auto s = slice(scaled(cube(), -1000), planes);
+  REQUIRE(s.ok());
+  for (const PlaneSection& section : s->planes) CHECK(section.edges.empty());
+}
+
 TEST_CASE("plane sets are as described") {
   const Bounds box = bounds_of(cube(-1, 1).points);
   const std::vector<CuttingPlane> parallel = parallel_planes(box, 4);
