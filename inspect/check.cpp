@@ -20,6 +20,9 @@ constexpr double kTermRounding = 0x1p-50;
 /// Rays that ask for a component's depth start from so many triangles, from each of them at so many points.
 constexpr std::size_t kRayTriangles = 4;
 constexpr int kRaysPerTriangle = 8;
+/// Of the start of such a ray, by the largest coordinate that it comes from: at most eight roundings of
+/// 2^-53, doubled.
+constexpr double kStartRounding = 0x1p-49;
 
 std::vector<Bounds> triangle_boxes(const Surface& surface, std::span<const std::uint32_t> triangles) {
   std::vector<Bounds> boxes;
@@ -147,15 +150,16 @@ class Geometry {
   }
 
   /// Number of other components that a ray from this one leaves an odd number of times. Rays that touch an
-  /// edge or vertex, or start where another component touches this one, say nothing exact; then another point
-  /// and direction is tried. They start within the largest triangles: within a needle rounding might bring
-  /// the start through a neighbour.
+  /// edge or vertex, or start where another component is, say nothing exact; then another point and direction
+  /// is tried. The largest triangles come first: around them is most room.
   void find_depth(std::uint32_t component) {
     std::vector<std::uint32_t> left;
     int attempt = 0;
     for (const std::uint32_t triangle : largest_[component].list())
       for (int k = 0; k < kRaysPerTriangle; ++k, ++attempt) {
-        const Vec3 from = inner_point(corners_of(triangle), k);
+        const Corners t = corners_of(triangle);
+        const Vec3 from = inner_point(t, k);
+        if (meets_others(box_of_start(from, t), component)) continue;
         if (!components_left(from, far_point(from, attempt), component, left)) continue;
         std::sort(left.begin(), left.end());
         report_.components[component].depth = odd_runs(left);
@@ -172,6 +176,37 @@ class Geometry {
     u -= std::floor(u), v -= std::floor(v);
     if (u + v > 1) u = 1 - u, v = 1 - v;
     return 0.5 * centroid + 0.5 * (t[0] + u * (t[1] - t[0]) + v * (t[2] - t[0]));
+  }
+
+  /// Around an inner point as it was rounded, so large that the exact one is in it.
+  static Bounds box_of_start(const Vec3& from, const Corners& t) {
+    const auto rounding = [](double a, double b, double c) {
+      return kStartRounding * std::max({std::abs(a), std::abs(b), std::abs(c)}) + 0x1p-1070;
+    };
+    const Vec3 margin{rounding(t[0].x, t[1].x, t[2].x), rounding(t[0].y, t[1].y, t[2].y),
+                      rounding(t[0].z, t[1].z, t[2].z)};
+    return {from - margin, from + margin};
+  }
+
+  /// False only if no triangle of another component meets the box.
+  bool meets_others(const Bounds& box, std::uint32_t self) const {
+    bool meets = false;
+    tree_.for_overlaps(box, [&](std::uint32_t i) {
+      meets = meets || (topology_.component[i] != self && !beside(corners_of(i), box));
+    });
+    return meets;
+  }
+
+  /// The box is strictly on one side of the triangle's plane.
+  static bool beside(const Corners& triangle, const Bounds& box) {
+    const int side = side_of(triangle, box.low);
+    if (side == 0) return false;
+    for (unsigned k = 1; k < 8; ++k) {
+      const Vec3 corner{k & 1 ? box.high.x : box.low.x, k & 2 ? box.high.y : box.low.y,
+                        k & 4 ? box.high.z : box.low.z};
+      if (side_of(triangle, corner) != side) return false;
+    }
+    return true;
   }
 
   Vec3 far_point(const Vec3& from, int attempt) const {

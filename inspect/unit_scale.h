@@ -11,8 +11,8 @@
 
 namespace crossloft {
 
-/// Of the points that triangles use: others are no part of the surface, wherever they are. Triangles that name
-/// a point that is not there are left out.
+/// Of the points that triangles use: others are no part of the surface, wherever they are. Triangles that
+/// name a point that is not there are left out.
 inline Bounds bounds_of_triangles(const Surface& surface) {
   Bounds box;
   for (const auto& t : surface.triangles) {

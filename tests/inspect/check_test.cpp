@@ -142,12 +142,19 @@ TEST_CASE("a component that another touches just where its ray would start") {
 }
 
 TEST_CASE("of components that cover each other all over no depth is known") {
-  Surface mesh = cube();
-  append(mesh, inside_out(cube()));
-  const CheckReport r = check_surface(mesh);
-  CHECK(r.unknown_depths == 2);
-  CHECK(r.inverted == 0);
-  CHECK_FALSE(r.components[0].depth_known);
+  for (const Vec3& by : {Vec3{0, 0, 0}, Vec3{0.1, 0.7, -0.3}}) {  // inner points are rounded off the faces
+    const Surface turned = inside_out(moved(cube(0, 0.7), by));
+    Surface mesh = moved(cube(0, 0.7), by);
+    append(mesh, turned);
+    const CheckReport r = check_surface(mesh);
+    CHECK(r.unknown_depths == 2);
+    CHECK(r.inverted == 0);
+    CHECK_FALSE(r.components[0].depth_known);
+  }
+  const auto slanted = [] { return tetrahedron({0.1, 0, 0}, {1, 0.3, 0.1}, {0, 1.1, 0.7}, {0.3, 0.2, 1.3}); };
+  Surface mesh = slanted();
+  append(mesh, slanted());
+  CHECK(check_surface(mesh).unknown_depths == 2);
 }
 
 TEST_CASE("inside out at any size, also where volumes are infinite or 0") {
