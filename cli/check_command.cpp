@@ -2,22 +2,25 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "../inspect/check.h"
+#include "../io/atomic_file.h"
 #include "../io/read_mesh.h"
 #include "../io/read_sections.h"
 #include "arguments.h"
 #include "commands.h"
+#include "inspect_json.h"
 #include "terminal.h"
 
 namespace crossloft::cli {
 namespace {
 
 struct Arguments {
-  std::string surface, sections;
+  std::string surface, sections, report;
   double max_distance = INFINITY, max_missing = 0.1, max_extra = 0.05;
   SectionCheckOptions options;
   bool quiet = false;
@@ -124,16 +127,26 @@ void print_verdict(Terminal& terminal, const Broken& broken) {
   terminal.print("NOT good: %s\n", list.c_str());
 }
 
+Result<Done> write_report(const Arguments& a, const CheckReport& surface, const SectionCheck* sections,
+                          const Broken& broken) {
+  if (a.report.empty()) return Done{};
+  const CheckOrigin origin{a.surface, a.sections, a.options, a.max_distance, a.max_missing, a.max_extra};
+  return write_file(a.report, check_json(surface, sections, origin, broken));
+}
+
 ExitCode run(const Arguments& arguments) {
   release_interrupts();
   Terminal terminal(arguments.quiet);
   const Context context = terminal.context();
+  if (auto outputs = check_outputs({arguments.surface, arguments.sections}, {arguments.report}); !outputs)
+    return terminal.fail(outputs.error());
   const auto surface = read_surface(arguments.surface, context);
   if (!surface) return terminal.fail(surface.error());
   const CheckReport topology = check_surface(*surface);
   print_topology(terminal, topology);
   print_components(terminal, topology);
   Broken broken = broken_promises(topology);
+  std::optional<SectionCheck> met;
   if (!arguments.sections.empty()) {
     const auto sections = read_sections(arguments.sections, context);
     if (!sections) return terminal.fail(sections.error());
@@ -141,7 +154,10 @@ ExitCode run(const Arguments& arguments) {
     if (!check) return terminal.fail(check.error());
     print_sections(terminal, *check);
     add_sections(broken, *check, arguments);
+    met = *check;
   }
+  if (auto written = write_report(arguments, topology, met ? &*met : nullptr, broken); !written)
+    return terminal.fail(written.error());
   print_verdict(terminal, broken);
   return broken.empty() ? kGood : kPromiseBroken;
 }
@@ -190,6 +206,7 @@ void add_check(CLI::App& program, ExitCode& outcome) {
                    "repair wrote")
       ->check(is_sections_file());
   add_limits(*command, a);
+  command->add_option("--report", a.report, "also a report (docs/report.md)")->check(extension_in({".json"}));
   command->add_flag("--quiet", a.quiet, "only the exit code");
 }
 

@@ -2,16 +2,18 @@
 
 #include "../inspect/check.h"
 #include "../inspect/compare.h"
+#include "../io/atomic_file.h"
 #include "../io/read_mesh.h"
 #include "arguments.h"
 #include "commands.h"
+#include "inspect_json.h"
 #include "terminal.h"
 
 namespace crossloft::cli {
 namespace {
 
 struct Arguments {
-  std::string a, b;
+  std::string a, b, report;
 };
 
 void print_comparison(Terminal& terminal, const CompareReport& r) {
@@ -44,11 +46,18 @@ ExitCode run(const Arguments& arguments) {
   release_interrupts();
   Terminal terminal;
   const Context context = terminal.context();
+  if (auto outputs = check_outputs({arguments.a, arguments.b}, {arguments.report}); !outputs)
+    return terminal.fail(outputs.error());
   const auto a = read_closed(arguments.a, context);
   if (!a) return terminal.fail(a.error());
   const auto b = read_closed(arguments.b, context);
   if (!b) return terminal.fail(b.error());
-  print_comparison(terminal, compare(*a, *b));
+  const CompareReport comparison = compare(*a, *b);
+  if (!arguments.report.empty()) {
+    const auto written = write_file(arguments.report, compare_json(comparison, arguments.a, arguments.b));
+    if (!written) return terminal.fail(written.error());
+  }
+  print_comparison(terminal, comparison);
   return kGood;
 }
 
@@ -61,6 +70,7 @@ void add_compare(CLI::App& program, ExitCode& outcome) {
       [&outcome](const Arguments& arguments) { outcome = run(arguments); });
   command->add_option("A", a.a, "a surface")->required()->check(is_surface_file());
   command->add_option("B", a.b, "another")->required()->check(is_surface_file());
+  command->add_option("--report", a.report, "also a report (docs/report.md)")->check(extension_in({".json"}));
 }
 
 }  // namespace crossloft::cli

@@ -207,6 +207,39 @@ for limit in distance missing extra; do
   for value in nan -1; do expect 2 'is not a number from 0 to inf' check cube.ply cube.contour --max-$limit $value; done
 done
 
+# has FILE KEY:VALUE...: a report says so.
+has() {
+  local report=$1 pair
+  for pair in "${@:2}"; do
+    grep -Eq "\"${pair%%:*}\": ${pair#*:},?\$" "$report" || fail "$report does not say $pair"
+  done
+}
+expect 1 '^NOT good' check cube.ply tall.contour --report tall.json
+has tall.json check_version:1 good:false genus:0 'missing_share:0\.33.*' distance:null max_distance:null plane:2
+expect 0 '^good$' check cube.ply --report alone.json
+has alone.json good:true closed:true cavities:0 'volume:1\.0'
+grep -q sections alone.json && fail 'a report of sections that were not given'
+expect 0 'IoU 1$' compare cube.ply cube.ply --report alike.json
+has alike.json compare_version:1 'iou:1\.0' 'hausdorff:0\.0' components:1
+expect 0 '' compare cube.ply none.obj --report without.json
+has without.json hausdorff:null
+expect 2 'json' compare cube.ply cube.ply --report alike.txt
+expect 3 'missing' check cube.ply --report missing/r.json
+expect 3 '' compare cube.ply nothing.ply --report nothing.json
+absent nothing.json
+
+# Needles end where no triangle begins, points of no triangle are far away, sizes are extreme
+{ printf 'OFF\n12 16 0\n'
+  for z in 0 1; do printf "0 0 $z\n1 0 $z\n1 1 $z\n0 1 $z\n"; done
+  printf '0.5 0.5 1\n0.500001 0.5 1\n0.5 0.500001 1\n0.5 0.5 11\n'
+  printf '3 0 2 1\n3 0 3 2\n3 4 5 6\n3 4 6 7\n3 0 1 5\n3 0 5 4\n3 1 2 6\n3 1 6 5\n3 2 3 7\n3 2 7 6\n3 3 0 4\n3 3 4 7\n'
+  printf '3 8 10 9\n3 8 9 11\n3 9 10 11\n3 10 8 11\n'; } >needle.off
+expect 0 '^Hausdorff +10 ' compare cube.ply needle.off
+{ printf 'OFF\n5 4 0\n'; printf '%s 0 0\n' 0 1e-110; printf '0 1e-110 0\n0 0 1e-110\n1e14 0 0\n'
+  printf '3 0 1 2\n3 0 3 1\n3 0 2 3\n3 1 3 2\n'; } >tiny.off
+expect 1 '^inside out +1 components$' check tiny.off
+expect 0 '^1 planes, 3 contour edges$' slice tiny.off -o tiny.contour --parallel 1
+
 # One plane in several records is one section
 beside='0 0 1 %s 4 4\n3 0 %s\n4 0 %s\n4 1 %s\n3 1 %s\n'
 { printf "4\n$(section 0)$(section 1)"; for z in 0 1; do printf "$beside$edges" "-$z" $z $z $z $z; done; } >records.contour
