@@ -48,6 +48,7 @@ Result<Solid> parse_medit(std::string_view text, std::string name) {
     if (in.token("the word MeshVersionFormatted") != "MeshVersionFormatted") {
       in.fail(ErrorCode::syntax, "the file does not begin with the word MeshVersionFormatted");
     }
+    bool has_tets = false;
     while (in.ok() && !in.at_end()) {
       const std::string_view keyword = in.token("a keyword");
       if (keyword == "End") break;
@@ -55,11 +56,14 @@ Result<Solid> parse_medit(std::string_view text, std::string name) {
         read_medit_vertices(in, solid);
       } else if (keyword == "Tetrahedra") {
         read_medit_tets(in, solid);
+        has_tets = true;
       } else if (keyword == "Dimension" && in.integer("the dimension") != 3) {
         in.fail(ErrorCode::syntax, "the mesh is not three-dimensional");
       }
       // Anything else is the name or a number of a section without interest here.
     }
+    // Not every program writes the word End, but a solid has tetrahedra: a file without was cut, or is none.
+    if (!has_tets) in.fail(ErrorCode::truncated, "the file ends before a section Tetrahedra");
     if (!in.ok()) return in.error();
     return solid;
   });

@@ -1,4 +1,4 @@
-#include <array>
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <optional>
@@ -87,6 +87,22 @@ void read_format(TokenReader& in, Header& header) {
   }
 }
 
+bool has_role(const Element& element, Role role) {
+  return std::any_of(element.properties.begin(), element.properties.end(),
+                     [role](const Property& p) { return p.role == role; });
+}
+
+/// Every vertex then takes bytes of the file, and corners of faces mean the vertices of one element.
+void check_vertex_element(TokenReader& in, const std::vector<Element>& elements) {
+  const auto is_vertex = [](const Element& e) { return e.is_vertex; };
+  if (std::count_if(elements.begin(), elements.end(), is_vertex) != 1)
+    return in.fail(ErrorCode::syntax, "the header of the PLY file does not have one element vertex");
+  const Element& vertex = *std::find_if(elements.begin(), elements.end(), is_vertex);
+  for (const Role coordinate : {Role::x, Role::y, Role::z})
+    if (!has_role(vertex, coordinate))
+      in.fail(ErrorCode::syntax, "the vertices of the PLY file do not have x, y and z");
+}
+
 Header read_header(TokenReader& in) {
   Header header;
   std::string_view element;
@@ -111,6 +127,7 @@ Header read_header(TokenReader& in) {
     in.skip_line();
   }
   if (!has_format) in.fail(ErrorCode::syntax, "the header of the PLY file has no format");
+  check_vertex_element(in, header.elements);
   return header;
 }
 
@@ -135,6 +152,13 @@ class Body {
       value(type, "a value");
     else
       text_.token("a value");
+  }
+
+  void expect_end() {
+    if (!bytes_.has_value()) return text_.expect_end();
+    if (const std::size_t left = bytes_->left(); left != 0)
+      fail(ErrorCode::syntax,
+           std::to_string(left) + " bytes follow where the file should end; is a count too small?");
   }
 
  private:
@@ -190,6 +214,7 @@ class ElementReader {
       : body_(body), vertices_(vertices), surface_(surface) {}
 
   void read(const Element& element) {
+    if (element.properties.empty()) return;  // takes no bytes, however many there are
     for (std::uint32_t i = 0; i < element.count && body_.ok(); ++i) {
       Vec3 point;
       for (const Property& property : element.properties) read(property, point);
@@ -234,8 +259,10 @@ class ElementReader {
   std::vector<std::uint32_t> corners_;
 };
 
-/// A binary body begins after the one line end that closes the header.
-std::string_view after_line_end(std::string_view bytes) {
+/// A binary body begins after the one line end that closes the header; blanks may stand before it.
+std::string_view binary_body(TokenReader& in, std::string_view bytes) {
+  if (!in.at_line_end()) in.fail(ErrorCode::syntax, "something follows end_header on its line");
+  bytes.remove_prefix(in.offset());
   if (bytes.starts_with("\r\n")) return bytes.substr(2);
   return bytes.empty() ? bytes : bytes.substr(1);
 }
@@ -246,17 +273,16 @@ Result<Surface> parse_ply(std::string_view bytes, std::string name) {
   return or_out_of_memory([&]() -> Result<Surface> {
     TokenReader in(bytes, std::move(name));
     const Header header = read_header(in);
-    if (!in.ok()) return in.error();
-
     std::optional<ByteReader> binary;
-    if (!header.ascii) binary.emplace(after_line_end(bytes.substr(in.offset())), header.order);
+    if (in.ok() && !header.ascii) binary.emplace(binary_body(in, bytes), header.order);
+    if (!in.ok()) return in.error();
     Body body(in, binary);
     Surface surface;
     constexpr std::size_t kLeastVertexBytes = 3;  // three int8
     surface.points.reserve(in.room_for(header.vertices, kLeastVertexBytes));
     ElementReader reader(body, header.vertices, surface);
     for (const Element& element : header.elements) reader.read(element);
-    if (header.ascii) in.expect_end();
+    body.expect_end();
     if (in.ok()) return surface;
     Error error = in.error();
     if (!header.ascii) error.line = 0;

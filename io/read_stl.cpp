@@ -99,6 +99,8 @@ Result<Surface> parse_binary(std::string_view bytes, std::string name, const Con
     in.read<std::uint16_t>();
     welder.add_triangle(corners);
   }
+  if (in.left() != 0)  // some programs pad their files
+    context.warn(std::to_string(in.left()) + " bytes after the last facet of the STL file were passed over");
   return welder.finish(context);
 }
 
@@ -114,6 +116,7 @@ Result<Surface> parse_ascii(std::string_view text, std::string name, const Conte
   bool complete = false;
   while (in.ok() && !in.at_end()) {
     const std::string_view keyword = in.token("a keyword");
+    complete = keyword == "endsolid";
     if (keyword == "vertex" && known < corners.size()) {
       corners[known++] = in.point("a vertex coordinate");
     } else if (keyword == "endfacet" && known == corners.size()) {
@@ -122,8 +125,8 @@ Result<Surface> parse_ascii(std::string_view text, std::string name, const Conte
     } else if (keyword == "vertex" || keyword == "endfacet") {
       in.fail(ErrorCode::syntax, "a facet does not have three corners");
     } else if (keyword == "facet" || keyword == "solid" || keyword == "endsolid") {
+      if (known != 0) in.fail(ErrorCode::syntax, "a facet does not end before this");
       in.skip_line();
-      complete = keyword == "endsolid";
     } else if (keyword != "outer" && keyword != "loop" && keyword != "endloop") {
       in.fail(ErrorCode::syntax, quoted(keyword) + " is no word of an STL file");
     }

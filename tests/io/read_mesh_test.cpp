@@ -123,6 +123,17 @@ TEST_CASE("PLY: text and both byte orders, other elements and properties ignored
   check_square(parse_ply(binary_ply(std::endian::little), ""));
   check_square(parse_ply(binary_ply(std::endian::big), ""));
   check_square(parse_ply(binary_ply(std::endian::little, "\r\n"), ""));
+  check_square(parse_ply(binary_ply(std::endian::little, " \t\n"), ""));
+  check_square(parse_ply(binary_ply(std::endian::little, " \r\n"), ""));
+  check_square(parse_ply(replaced(kAsciiPly, "element face", "element nothing 7\nelement face"), ""));
+}
+
+TEST_CASE("PLY: no memory is taken for vertices that take no bytes") {
+  std::string header = "ply\nformat ascii 1.0\n";
+  for (int i = 0; i < 4000; ++i) header += "element vertex 65536\n";
+  const Result<Surface> read = parse_ply(header + "end_header\n", "");
+  REQUIRE_FALSE(read.ok());
+  CHECK(read.error().code == ErrorCode::syntax);
 }
 
 TEST_CASE("OBJ: all forms of corners, other keywords ignored") {
@@ -144,6 +155,16 @@ TEST_CASE("STL: text and bytes, equal points become one vertex") {
   const std::vector<float> corners{0, 0, 0, 1.5f, 0, 0, 1.5f, 1, 0, 0, -0.0f, 0, 1.5f, 1, 0, 0, 1, -2};
   check_square(parse_stl(binary_stl("made by a test", corners), ""));
   check_square(parse_stl(binary_stl("solid in bytes", corners), ""));
+}
+
+TEST_CASE("STL: bytes after the last facet are passed over with a warning") {
+  Heard heard;
+  const std::string bytes = binary_stl("", {0, 0, 0, 1, 0, 0, 1, 1, 0});
+  CHECK(parse_stl(bytes, "", heard.context()).ok());
+  CHECK(heard.warnings.empty());
+  CHECK(parse_stl(bytes + std::string(12, '\0'), "", heard.context()).ok());
+  CHECK(heard.warnings ==
+        std::vector<std::string>{"12 bytes after the last facet of the STL file were passed over"});
 }
 
 TEST_CASE("STL: facets with equal corners are dropped with a warning") {
@@ -188,6 +209,7 @@ TEST_CASE("bad surfaces") {
       {"ply: list too long", parse_ply, replaced(kAsciiPly, "4 0 1 2 3", "4000000 0"), ErrorCode::truncated,
        16},
       {"ply: text after the end", parse_ply, kAsciiPly + "4 0 1 2 3\n", ErrorCode::syntax, 16},
+      {"ply: a byte too many", parse_ply, ply + '\n', ErrorCode::syntax, 0},
       {"ply: bytes cut off", parse_ply, ply.substr(0, ply.size() - 1), ErrorCode::truncated, 0},
       {"obj: index 0", parse_obj, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 0 1 2\n", ErrorCode::index_out_of_range, 4},
       {"obj: too large", parse_obj, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n", ErrorCode::index_out_of_range, 4},
@@ -270,6 +292,14 @@ TEST_CASE("Medit: other sections are passed over") {
   CHECK(read->points[3] == Vec3{0, 0, 1.5});
   REQUIRE(read->tets.size() == 1);
   CHECK(read->tets[0] == std::array<std::uint32_t, 4>{0, 1, 2, 3});
+}
+
+TEST_CASE("Medit: the word End may be missing, tetrahedra may not") {
+  const std::string good =
+      "MeshVersionFormatted 1\nDimension 3\nVertices 1\n0 0 0 0\nTetrahedra\n1\n1 1 1 1 0\n";
+  CHECK(parse_medit(good, "").ok());
+  CHECK(parse_medit(replaced(good, "Tetrahedra\n1\n1 1 1 1 0\n", "Tetrahedra 0\n"), "").ok());
+  CHECK(parse_medit(good.substr(0, good.find("Tetra")), "").error().code == ErrorCode::truncated);
 }
 
 TEST_CASE("bad solids") {
