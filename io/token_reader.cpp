@@ -101,7 +101,7 @@ bool TokenReader::skip_blanks(bool over_lines) {
       if (!over_lines) return false;
       const bool crlf = c == '\r' && at_ + 1 < text_.size() && text_[at_ + 1] == '\n';
       line_ += crlf ? 0 : 1;
-    } else if (comment_ != '\0' && c == comment_) {
+    } else if (begins_comment(c)) {
       while (at_ + 1 < text_.size() && !is_line_end(text_[at_ + 1])) ++at_;
     } else if (!is_blank(c)) {
       return true;
@@ -127,7 +127,9 @@ std::string_view TokenReader::token(const char* what) {
     return {};
   }
   const std::size_t begin = at_;
-  while (at_ < text_.size() && !is_blank(text_[at_]) && !is_line_end(text_[at_])) ++at_;
+  while (at_ < text_.size() && !is_blank(text_[at_]) && !is_line_end(text_[at_]) &&
+         !begins_comment(text_[at_]))
+    ++at_;
   return text_.substr(begin, at_ - begin);
 }
 

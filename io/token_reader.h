@@ -65,6 +65,7 @@ class TokenReader {
   std::size_t room_for(std::uint32_t count, std::size_t least_bytes) const;
 
  private:
+  bool begins_comment(char c) const { return comment_ != '\0' && c == comment_; }
   bool skip_blanks(bool over_lines);
 
   std::string_view text_;

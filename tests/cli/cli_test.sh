@@ -153,6 +153,8 @@ expect 0 '3 planes' slice cube.ply -o cut.contour --parallel 3
 expect 0 'planes +3' info cut.contour
 printf '# comment\n0 0 1 -0.5\n\n1 0 0 -0.25\r\n' >planes.txt
 expect 0 '2 planes' slice cube.ply -o cut.csl --planes planes.txt
+printf '0 0 1 -0.5# half way\r1 0 1e-400 -0.25\r' >planes.txt
+expect 0 '2 planes' slice cube.ply -o cut.csl --planes planes.txt
 printf '0 0 1\n' >planes.txt
 expect 3 'planes.txt:1: expected four' slice cube.ply -o cut2.csl --planes planes.txt
 absent cut2.csl

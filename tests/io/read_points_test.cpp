@@ -48,6 +48,13 @@ TEST_CASE("points: x y z a line, comments, blank lines, any line ends") {
   CHECK(std::signbit((*points)[2].z));
 }
 
+TEST_CASE("points: a comment may follow a number without a blank") {
+  const auto points = parse_points("1 2 3# last\n4 5 6#\n", "");
+  REQUIRE(points.ok());
+  CHECK(*points == std::vector<Vec3>{{1, 2, 3}, {4, 5, 6}});
+  CHECK(complaint(parse_points("1 2#3\n", "p.txt")).starts_with("p.txt:1: 2 numbers on the line"));
+}
+
 TEST_CASE("points: a weight is the fourth number") {
   const auto points = parse_weighted_points("1 2 3 4\n0 0 0 -0.5\n", "");
   REQUIRE(points.ok());
