@@ -70,18 +70,16 @@ class RecordReader {
   bool at_end() const { return place_.offset >= file_.size(); }
 
   /// parse(TokenReader&) reads the next record. It is called again with more text while it may have lacked
-  /// some: if it came to the end of its text, or found a count to be more than that can hold.
+  /// some: if it came to the end of its text.
   template <class Parse>
   Result<Done> next(Parse&& parse) {
     for (;; size_ *= 2) {
       if (auto good = file_.read(place_.offset, size_, text_); !good) return good;
       TokenReader in(text_, name_);
-      in.begin_at(place_.line);
+      in.begin_at(place_.line, file_.size());
       parse(in);
       const bool is_all = place_.offset + text_.size() >= file_.size();
-      const bool may_lack =
-          in.offset() == text_.size() || (!in.ok() && in.error().code == ErrorCode::bad_count);
-      if (may_lack && !is_all) continue;
+      if (in.offset() == text_.size() && !is_all) continue;
       if (!in.ok()) return in.error();
       size_ = std::max<std::uint64_t>(kLeast, in.offset() + in.offset() / 2);
       place_ = {place_.offset + in.offset(), in.line()};
@@ -161,7 +159,7 @@ Result<PlaneSection> SectionFile::read(std::uint32_t position) {
     std::string text;
     if (auto good = index_->file.read(from.offset, to.offset - from.offset, text); !good) return good.error();
     TokenReader in(text, index_->path);
-    in.begin_at(from.line);
+    in.begin_at(from.line, index_->file.size());
     in.enter(position);
     ParsedPlane plane = index_->grammar->plane(in, position);
     if (!in.ok()) return in.error();

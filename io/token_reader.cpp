@@ -73,7 +73,7 @@ std::string_view without_byte_order_mark(std::string_view text) {
 }
 
 TokenReader::TokenReader(std::string_view text, std::string file, char comment)
-    : text_(text), comment_(comment) {
+    : text_(text), file_size_(text.size()), comment_(comment) {
   error_.file = std::move(file);
   at_ = text.size() - without_byte_order_mark(text).size();
 }
@@ -153,9 +153,9 @@ Vec3 TokenReader::point(const char* what) {
 std::uint32_t TokenReader::count_in(std::string_view text, const char* what) {
   // Each item takes more than a byte, so a larger count can't be true; a small one is left to end in
   // "truncated".
-  constexpr std::size_t kSmall = 1 << 16;
+  constexpr std::uint64_t kSmall = 1 << 16;
   const auto most =
-      static_cast<std::int64_t>(std::min<std::size_t>(std::max(kSmall, text_.size()), kNone - 1));
+      static_cast<std::int64_t>(std::min<std::uint64_t>(std::max(kSmall, file_size_), kNone - 1));
   if (!ok_) return 0;
   std::int64_t value = 0;
   double real_value = 0;

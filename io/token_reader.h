@@ -23,8 +23,11 @@ class TokenReader {
   /// `comment` starts a comment that goes to the end of the line; 0 means the format has none. The text must
   /// outlive the reader. A UTF-8 byte order mark is skipped.
   TokenReader(std::string_view text, std::string file, char comment = '\0');
-  /// For a text from the middle of a file: the line of its first character.
-  void begin_at(std::uint32_t line) { line_ = token_line_ = line; }
+  /// For a text from the middle of a file: the line of its first character, and the size of the file.
+  void begin_at(std::uint32_t line, std::uint64_t file_size) {
+    line_ = token_line_ = line;
+    file_size_ = file_size;
+  }
 
   bool ok() const { return ok_; }
   const Error& error() const { return error_; }
@@ -49,7 +52,7 @@ class TokenReader {
   /// A finite number. Errors: syntax, not_finite (also for a decimal beyond the range of a double).
   double real(const char* what);
   Vec3 point(const char* what);
-  /// A whole number >= 0. bad_count when negative, fractional, or so large that the text can't hold as many.
+  /// A whole number >= 0. bad_count when negative, fractional, or so large that the file can't hold as many.
   std::uint32_t count(const char* what) { return count_in(token(what), what); }
   /// An index in [0, size). Errors: syntax, index_out_of_range.
   std::uint32_t index(const char* what, std::uint32_t size) { return index_in(token(what), what, size); }
@@ -69,6 +72,7 @@ class TokenReader {
   bool skip_blanks(bool over_lines);
 
   std::string_view text_;
+  std::uint64_t file_size_;
   std::size_t at_ = 0;
   std::uint32_t line_ = 1;
   std::uint32_t token_line_ = 1;

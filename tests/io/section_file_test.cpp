@@ -128,6 +128,19 @@ TEST_CASE("Plane by plane: files that are longer than what is held, cut and spoi
   }
 }
 
+TEST_CASE("Plane by plane: a count that the file could hold, but not what is left of it") {
+  const Scratch scratch;
+  const std::string path = scratch.path("stack.contour");
+  REQUIRE(write_sections(path, long_stack()).ok());
+  const std::string text = text_of(path);
+  REQUIRE(text.size() > 100000);
+  const std::size_t body = text.find('\n') + 1;
+  for (const std::size_t count : {std::size_t{70000}, text.size() - 1000, 2 * text.size()}) {
+    REQUIRE(write_file(path, "31\n" + text.substr(body) + "0 0 1 0\n" + std::to_string(count) + " 0\n").ok());
+    check_same_as_at_once(path);
+  }
+}
+
 TEST_CASE("Plane by plane: the sign of D, materials and labels are those of the whole file") {
   const Scratch scratch;
   Sections stack = long_stack();
