@@ -17,13 +17,6 @@ Error not_writable(const std::string& path, const std::string& why) {
   return {.code = ErrorCode::file_not_writable, .message = "cannot be written: " + why, .file = path};
 }
 
-/// The file that a write to `path` would reach. A link that leads nowhere is left to fopen.
-std::string resolve(const std::string& path) {
-  std::error_code ignored;
-  const fs::path real = fs::canonical(path, ignored);
-  return ignored ? path : real.string();
-}
-
 /// Creates a file that was not there. `name` becomes the first free ".NAME.N.tmp" beside `target`; exclusive
 /// creation keeps concurrent writers apart.
 std::FILE* create_beside(const std::string& target, std::string& name) {
@@ -40,6 +33,23 @@ std::FILE* create_beside(const std::string& target, std::string& name) {
 }
 
 }  // namespace
+
+Result<std::string> link_target(const std::string& path) {
+  constexpr int kMostLinks = 40;  // as Linux follows
+  std::error_code failure;
+  fs::path real = path;
+  for (int links = 0; links <= kMostLinks; ++links) {
+    // What is there is asked of the system: links of /proc name pipes by what is no path.
+    if (fs::exists(real, failure)) {
+      const fs::path canonical = fs::canonical(real, failure);
+      return failure ? real.string() : canonical.string();
+    }
+    const fs::path next = fs::read_symlink(real, failure);
+    if (failure) return real.string();  // no link, or in a folder that is not there
+    real = real.parent_path() / next;
+  }
+  return not_writable(path, reason(ELOOP));
+}
 
 Result<Done> read_pieces(const std::string& path, const std::function<bool(std::string_view)>& take) {
   const auto file = open_to_read(path);
@@ -68,9 +78,11 @@ Result<std::string> read_file(const std::string& path) {
 }
 
 Result<AtomicFile> AtomicFile::create(const std::string& path) {
+  auto target = link_target(path);
+  if (!target) return target.error();
   AtomicFile out;
   out.path_ = path;
-  out.target_ = resolve(path);
+  out.target_ = std::move(target).value();
   std::error_code ignored;
   const fs::file_status status = fs::status(out.target_, ignored);
   if (fs::is_directory(status)) return not_writable(path, "it is a directory");

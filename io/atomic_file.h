@@ -20,6 +20,10 @@ inline constexpr std::size_t kPieceBytes = 3 << 14;
 /// returns false. Errors: as read_file.
 Result<Done> read_pieces(const std::string& path, const std::function<bool(std::string_view)>& take);
 
+/// The file that a write to `path` reaches: links are followed, even where they lead to what is not there
+/// yet. Error: file_not_writable, if links lead in a circle.
+Result<std::string> link_target(const std::string& path);
+
 /// A file under construction: bytes go to a new file beside the target, which takes the target's name on
 /// commit(). Until then, and after any failure, the target is as it was; the destructor removes what was not
 /// committed. A link is followed, the permissions of an existing target are kept, and a target that is no

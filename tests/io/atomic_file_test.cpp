@@ -124,6 +124,32 @@ TEST_CASE("a link is followed and permissions stay") {
   CHECK(fs::status(scratch.path("f")).permissions() == (fs::perms::owner_read | fs::perms::owner_write));
 }
 
+TEST_CASE("a link to what is not there yet is followed") {
+  const Scratch scratch;
+  fs::create_directory(scratch.path("folder"));
+  fs::create_symlink("folder/second", scratch.path("first"));
+  fs::create_symlink("../target", scratch.path("folder/second"));
+  CHECK(fs::path(*link_target(scratch.path("first"))).lexically_normal() == scratch.path("target"));
+  REQUIRE(write_file(scratch.path("first"), "new").ok());
+  CHECK(fs::is_symlink(scratch.path("first")));
+  CHECK(fs::is_symlink(scratch.path("folder/second")));
+  CHECK(scratch.bytes("target") == "new");
+  CHECK(scratch.files() == 3);
+}
+
+TEST_CASE("links in a circle and into a folder that is not there stay, and are errors") {
+  const Scratch scratch;
+  fs::create_symlink("b", scratch.path("a"));
+  fs::create_symlink("a", scratch.path("b"));
+  const Result<Done> circle = write_file(scratch.path("a"), "x");
+  REQUIRE_FALSE(circle.ok());
+  CHECK(circle.error().code == ErrorCode::file_not_writable);
+  CHECK(circle.error().file == scratch.path("a"));
+  fs::create_symlink("none/f", scratch.path("c"));
+  CHECK(write_file(scratch.path("c"), "x").error().code == ErrorCode::file_not_writable);
+  for (const char* link : {"a", "b", "c"}) CHECK(fs::is_symlink(scratch.path(link)));
+}
+
 TEST_CASE("files that can't be read say why") {
   const Scratch scratch;
   CHECK(read_file(scratch.path("none")).error().message == "cannot be read: No such file or directory");
