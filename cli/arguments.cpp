@@ -9,6 +9,8 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "../io/atomic_file.h"
+
 namespace crossloft::cli {
 
 CLI::Validator extension_in(std::vector<std::string> extensions) {
@@ -70,18 +72,30 @@ Error at(ErrorCode code, const char* message, const std::string& path) {
 }
 
 bool same_file(const std::string& a, const std::string& b) {
-  std::error_code none;
-  return fs::weakly_canonical(a, none) == fs::weakly_canonical(b, none) || fs::equivalent(a, b, none);
+  const auto reached_a = link_target(a), reached_b = link_target(b);
+  if (!reached_a || !reached_b) return false;
+  std::error_code unknown_a, unknown_b, none;
+  const fs::path path_a = fs::weakly_canonical(*reached_a, unknown_a),
+                 path_b = fs::weakly_canonical(*reached_b, unknown_b);
+  if (!unknown_a && !unknown_b && path_a == path_b) return true;
+  return fs::equivalent(*reached_a, *reached_b, none);
 }
 
+/// A file appears beside its target, under another name at first: it is the folder that is written to. What
+/// is there and no regular file is written in its place.
 Result<Done> check_output(const std::string& path) {
-  const fs::path folder = fs::path(path).parent_path();
+  const auto target = link_target(path);
+  if (!target) return target.error();
   std::error_code none;
-  if (!fs::is_directory(folder.empty() ? fs::path(".") : folder, none))
+  const fs::file_status status = fs::status(*target, none);
+  if (fs::is_directory(status))
+    return at(ErrorCode::file_not_writable, "cannot be written: it is a folder", path);
+  if (fs::exists(status) && !fs::is_regular_file(status)) return Done{};
+  const fs::path parent = fs::path(*target).parent_path();
+  const std::string folder = parent.empty() ? "." : parent.string();
+  if (!fs::is_directory(folder, none))
     return at(ErrorCode::file_not_writable, "cannot be written: its folder is not there", path);
-  if (fs::is_directory(path, none)) return at(ErrorCode::file_not_writable, "cannot be written: it is a folder", path);
-  const std::string where = folder.empty() ? "." : folder.string();
-  if (access(where.c_str(), W_OK) != 0)
+  if (access(folder.c_str(), W_OK) != 0)
     return at(ErrorCode::file_not_writable, "cannot be written: no permission in its folder", path);
   return Done{};
 }

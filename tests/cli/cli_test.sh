@@ -425,6 +425,31 @@ ln -s p.txt link.json
 expect 2 'link.json: is the input' delaunay p.txt --report link.json
 expect 3 'its folder is not there' delaunay p.txt -o no/p.vtu
 
+# Outputs are looked at before the work
+mkdir folder.ply
+expect 3 '^crossloft: folder.ply: cannot be written: it is a folder$' reconstruct cube.contour -o folder.ply
+ln -s asked.ply asked.json
+expect 2 '^crossloft: asked.json: is asked for twice' reconstruct cube.contour -o asked.ply --report asked.json
+for kind in ply json; do ln -s circle.$kind circle.$kind; done
+expect 3 '^crossloft: circle.ply: cannot be written: Too many levels' reconstruct cube.contour -o circle.ply --report circle.json
+ln -s no/p.ply dangling.ply
+expect 3 '^crossloft: dangling.ply: cannot be written: its folder is not there$' reconstruct cube.contour -o dangling.ply
+absent asked.ply
+mkdir locked
+ln -s ../reached.ply locked/link.ply
+mkfifo locked/pipe.ply
+chmod 555 locked
+expect 0 '' reconstruct cube.contour -o locked/link.ply
+cmp -s reached.ply cube.ply && [ -L locked/link.ply ] || fail 'a link out of a folder without permission'
+cat locked/pipe.ply >piped.ply & reader=$!
+expect 0 '' reconstruct cube.contour -o locked/pipe.ply
+wait $reader
+cmp -s piped.ply cube.ply || fail 'a pipe in a folder without permission'
+if [ "$(id -u)" != 0 ]; then # root may write anywhere
+  expect 3 '^crossloft: locked/x.ply: cannot be written: no permission in its folder$' reconstruct cube.contour -o locked/x.ply
+fi
+chmod 755 locked
+
 # Moebius diagrams: a disc in the plane of the others, a hidden site
 printf '# x y lambda mu\n0 0 4\n3 0\n3 0 1 -1\n' >sites.txt
 expect 0 'arcs +1, 1 of them whole' moebius sites.txt -o d.svg --json d.json
