@@ -57,7 +57,7 @@ ExitCode run(const Arguments& arguments) {
   if (!result) return terminal.fail(result.error());
   const Image picture = draw_picture(*sections, result->surface);
   if (context.cancelled()) return terminal.fail(make_error(ErrorCode::cancelled, "interrupted"));
-  ignore_interrupts();  // from here on the files appear, all of them
+  pass_over_interrupts();  // from here on the files appear, all of them
   std::error_code failure;
   std::filesystem::create_directories(arguments.folder, failure);
   if (failure)

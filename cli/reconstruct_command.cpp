@@ -99,7 +99,7 @@ ExitCode run(Arguments arguments) {
   Image picture;
   if (!arguments.picture.empty()) picture = draw_picture(result->sections, result->surface, arguments.view);
   if (context.cancelled()) return terminal.fail(make_error(ErrorCode::cancelled, "interrupted"));
-  ignore_interrupts();  // from here on the files appear, all of them
+  pass_over_interrupts();  // from here on the files appear, all of them
   const auto written = write_results(arguments, *result, repair, picture, drawings, context);
   if (!written) return terminal.fail(written.error());
   if (is_beside(result->sections, result->surface, arguments.view))

@@ -29,7 +29,7 @@ ExitCode run(const Arguments& arguments) {
   const auto repair = repair_sections(*sections, arguments.options, context);
   if (!repair) return terminal.fail(repair.error());
   if (context.cancelled()) return terminal.fail(make_error(ErrorCode::cancelled, "interrupted"));
-  ignore_interrupts();
+  pass_over_interrupts();
   Result<Done> written = write_sections(arguments.output, repair->sections, context);
   if (written && !arguments.report.empty())
     written = write_file(arguments.report, repair_json(*repair, arguments.options, arguments.input));

@@ -17,7 +17,7 @@ ExitCode stream(const StreamArguments& arguments, Terminal& terminal, const Cont
       reconstruct_stack(*sections, *surface, {arguments.options, arguments.window_vertices}, context);
   if (!report) return terminal.fail(report.error());
   if (context.cancelled()) return terminal.fail(make_error(ErrorCode::cancelled, "interrupted"));
-  ignore_interrupts();  // from here on the files appear, all of them
+  pass_over_interrupts();  // from here on the files appear, all of them
   if (auto written = surface->finish(); !written) return terminal.fail(written.error());
   if (!arguments.report.empty()) {
     const auto written =

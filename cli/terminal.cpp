@@ -18,6 +18,16 @@ static_assert(std::atomic<bool>::is_always_lock_free);
 
 extern "C" void raise_interrupted(int) { interrupted.store(true, std::memory_order_relaxed); }
 
+extern "C" void pass_over(int) {}
+
+/// The next signal of the kind calls `handler`, the one after that kills.
+void handle_once(int number, void (*handler)(int), int flags) {
+  struct sigaction action = {};
+  action.sa_handler = handler;
+  action.sa_flags = static_cast<int>(SA_RESETHAND) | flags;
+  sigaction(number, &action, nullptr);
+}
+
 constexpr int kBarWidth = 30;
 
 /// "about 12 s left", nothing while it is too early to tell.
@@ -32,11 +42,7 @@ std::string time_left(double elapsed, double done_since, double rest) {
 }  // namespace
 
 void catch_interrupts() {
-  struct sigaction action = {};
-  action.sa_handler = raise_interrupted;
-  action.sa_flags = static_cast<int>(SA_RESETHAND);  // the second one kills
-  sigaction(SIGINT, &action, nullptr);
-  sigaction(SIGTERM, &action, nullptr);
+  for (const int number : {SIGINT, SIGTERM}) handle_once(number, raise_interrupted, 0);
   std::signal(SIGXFSZ,
               SIG_IGN);  // a file beyond the limit is a failed write, with a message, as on a full disk
 }
@@ -46,9 +52,9 @@ void release_interrupts() {
   std::signal(SIGTERM, SIG_DFL);
 }
 
-void ignore_interrupts() {
-  std::signal(SIGINT, SIG_IGN);
-  std::signal(SIGTERM, SIG_IGN);
+void pass_over_interrupts() {
+  // A write that waits goes on after the first; only a second one ends it if nobody reads.
+  for (const int number : {SIGINT, SIGTERM}) handle_once(number, pass_over, SA_RESTART);
 }
 
 Terminal::Terminal(bool quiet) : quiet_(quiet), bar_(!quiet && isatty(STDERR_FILENO) == 1) {}

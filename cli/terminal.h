@@ -18,8 +18,9 @@ void catch_interrupts();
 
 /// The default again: for work that does not look at the flag, and whose files appear whole or not at all.
 void release_interrupts();
-/// From here on Ctrl-C and SIGTERM wait for the end: several files are being written that belong together.
-void ignore_interrupts();
+/// From here on Ctrl-C and SIGTERM change nothing, since several files are being written that belong
+/// together; a second one kills, since a pipe without a reader would wait forever.
+void pass_over_interrupts();
 
 /// Results are printed by print(); notes, warnings, errors and the progress bar go to stderr. The bar is
 /// drawn only if stderr is a terminal; it estimates what is left of the stage. Quiet leaves warnings and

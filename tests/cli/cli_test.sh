@@ -566,6 +566,20 @@ for delay in 0 0.01 0.02 0.05 0.1 0.2; do
 done
 [ $interrupted -gt 0 ] || fail 'no run was interrupted'
 
+# While files are written the first signal changes nothing, and the second ends what nobody reads.
+mkfifo unread.vtu
+for signal in INT TERM; do
+  rm -f written.ply
+  "$program" reconstruct cube.contour --quiet -o written.ply --solid unread.vtu >out.txt 2>&1 </dev/null & running=$!
+  until [ -e written.ply ] || ! kill -0 $running 2>/dev/null; do sleep 0.01; done
+  kill -$signal $running
+  sleep 0.2
+  kill -$signal $running 2>/dev/null || fail "the first SIG$signal ended the writing"
+  for _ in {1..100}; do kill -0 $running 2>/dev/null || break; sleep 0.1; done
+  kill -KILL $running 2>/dev/null && fail "the second SIG$signal did not end the writing"
+  wait $running 2>/dev/null
+done
+
 "$program" demo -o interrupted >/dev/null 2>&1 </dev/null & running=$!
 kill -INT $running 2>/dev/null
 wait $running
