@@ -46,16 +46,17 @@ void add_plane_tolerance(CLI::App& command, double& value) {
       ->check(number_in(0, 0.1));
 }
 
-const CLI::Validator& is_whole_number() {
-  static const CLI::Validator validator(
-      [](const std::string& text) -> std::string {
-        std::uint64_t value = 0;
-        const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), value);
-        const bool whole = failure == std::errc() && end == text.data() + text.size();
-        return whole ? "" : text + " is not a whole number from 0 to 18446744073709551615";
-      },
-      "");
-  return validator;
+CLI::Validator whole_number_in(std::uint64_t low, std::uint64_t high) {
+  const std::string range = std::to_string(low) + " to " + std::to_string(high);
+  const auto rewrite = [low, high, range](std::string& text) -> std::string {
+    std::uint64_t value = 0;
+    const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), value);
+    const bool whole = failure == std::errc() && end == text.data() + text.size();
+    if (!whole || value < low || value > high) return text + " is not a whole number from " + range;
+    text = std::to_string(value);
+    return {};
+  };
+  return CLI::Validator(rewrite, range);
 }
 
 void refuse_options(const CLI::App& command, const std::vector<std::string>& names, const std::string& why) {

@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -32,8 +33,9 @@ CLI::Validator number_in(double low, double high);
 /// --plane-tolerance as all but repair take it: frame_sections() refuses what is further off.
 void add_plane_tolerance(CLI::App& command, double& value);
 
-/// Accepts whole numbers from 0 to 2^64 - 1, which CLI11 would take modulo 2^64.
-const CLI::Validator& is_whole_number();
+/// Accepts whole decimal numbers from `low` to `high`, for transform(): CLI11 by itself would take 010 as
+/// octal, 0x10 as hexadecimal and all of them modulo 2^64.
+CLI::Validator whole_number_in(std::uint64_t low, std::uint64_t high);
 
 /// A usage error if one of the options was given. REQUIRES: the command has them.
 void refuse_options(const CLI::App& command, const std::vector<std::string>& names, const std::string& why);

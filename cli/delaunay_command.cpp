@@ -115,7 +115,7 @@ void add_delaunay(CLI::App& program, ExitCode& outcome) {
                     "each point has a fourth number, its weight: the regular triangulation, by one thread");
   command->add_option("--threads", a.threads, "worker threads, 0: one per core; the result is the same")
       ->capture_default_str()
-      ->check(CLI::Range(0, 1024));
+      ->transform(whole_number_in(0, 1024));
 }
 
 }  // namespace crossloft::cli

@@ -187,7 +187,7 @@ void add_view(CLI::App& command, PictureOptions& view, CLI::Option* picture) {
       ->expected(2)
       ->needs(picture)
       ->type_name("WIDTH HEIGHT")
-      ->check(CLI::Range(16, 8192));
+      ->transform(whole_number_in(16, 8192));
   command
       .add_option_function<std::vector<double>>(
           "--picture-from",
@@ -249,7 +249,7 @@ void add_stream(CLI::App& command, Arguments& a) {
       .add_option("--window", a.window_vertices,
                   "with --stream: contour vertices that are worked on together, but for overlaps")
       ->capture_default_str()
-      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 40))
+      ->transform(whole_number_in(1, std::uint64_t{1} << 40))
       ->needs(stream);
 }
 
@@ -298,7 +298,7 @@ void add_reconstruct(CLI::App& program, ExitCode& outcome) {
   add_stream(*command, a);
   command->add_option("--threads", a.threads, "worker threads, 0: one per core; the result is the same")
       ->capture_default_str()
-      ->check(CLI::Range(0, 1024));
+      ->transform(whole_number_in(0, 1024));
   command->add_flag("--quiet", a.quiet, "no summary, no notes, no progress bar");
 }
 

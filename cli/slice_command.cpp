@@ -1,3 +1,4 @@
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -69,18 +70,17 @@ void add_slice(CLI::App& program, ExitCode& outcome) {
   command->add_option("MESH", a.mesh, "a closed surface")->required()->check(is_surface_file());
   command->add_option("-o,--output", a.output, "the sections")->required()->check(is_sections_file());
   CLI::Option_group* planes = command->add_option_group("planes", "one of:");
-  const CLI::Range count(1, 100000);
-  planes->add_option("--parallel", a.parallel, "K planes at equal distances")->check(count);
-  planes->add_option("--random", a.random, "K planes in random positions")->check(count);
+  const CLI::Validator count = whole_number_in(1, 100000);
+  planes->add_option("--parallel", a.parallel, "K planes at equal distances")->transform(count);
+  planes->add_option("--random", a.random, "K planes in random positions")->transform(count);
   planes->add_option("--rotational", a.rotational, "K planes around the axis --direction through the centre")
-      ->check(count);
-  planes->add_option("--fan", a.fan, "K planes of a jittered sweep along x")->check(count);
+      ->transform(count);
+  planes->add_option("--fan", a.fan, "K planes of a jittered sweep along x")->transform(count);
   planes->add_option("--planes", a.planes, "a file with A B C D a line for A x + B y + C z + D = 0");
   planes->require_option(1);
   command->add_option("--seed", a.seed, "of --random and --fan")
       ->capture_default_str()
-      ->check(is_whole_number())
-      ->type_name("UINT");
+      ->transform(whole_number_in(0, std::numeric_limits<std::uint64_t>::max()));
   command->add_option("--direction", a.direction, "normal of --parallel or axis of --rotational")
       ->capture_default_str()
       ->expected(3)

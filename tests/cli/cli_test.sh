@@ -295,6 +295,18 @@ done
 printf 'OFF\n0 0 0\n' >nothing.off
 expect 3 'nothing.off: the mesh has no triangle' slice nothing.off -o useless.contour --parallel 3
 
+# Whole numbers are decimal
+expect 0 '^10 planes' slice cube.ply -o ten.contour --random 010 --seed 010
+expect 0 '^10 planes' slice cube.ply -o ten2.contour --random 10 --seed 10
+cmp -s ten.contour ten2.contour || fail 'a seed is octal'
+for number in 0x10 1e1 -1 100001; do
+  expect 2 "random: $number is not a whole number from 1 to 100000" slice cube.ply -o useless.contour --random $number
+done
+expect 0 '' reconstruct cube.contour -o side.ply --picture side.png --picture-size 0100 064 --threads 02
+[ "$(od -An -tx1 -j16 -N8 side.png | tr -d ' ')" = 0000006400000040 ] || fail 'the size of a picture is octal'
+expect 2 'threads: 1025 is not a whole number from 0 to 1024' reconstruct cube.contour -o useless.ply --threads 1025
+expect 2 'window: 0 is not' reconstruct stack.csl -o useless.ply --stream --window 0
+
 # Delaunay: the same points as text, surfaces and raw doubles
 # value KEY REPORT: what a report says.
 value() { sed -n "s/^  \"$1\": \"\?\([^\",]*\)\"\?,\?\$/\1/p" "$2"; }
