@@ -303,6 +303,15 @@ Result<Done> check_numbers(const Sections& in) {
   return Done{};
 }
 
+Result<Done> check_size(const Sections& in) {
+  if (Result<Done> ok = check_part(in); !ok) return ok;
+  for (std::uint32_t i = 0; i < in.planes.size(); ++i)
+    for (const Vec3& v : in.planes[i].vertices)
+      if (largest(v) > kLargestCoordinate && is_finite(v))
+        return error_at(ErrorCode::too_large, "a coordinate is beyond 1e100", in, i);
+  return Done{};
+}
+
 void drop_flat(WallSection& s, double diagonal) {
   const std::vector<std::uint32_t> flat = flat_contours(s, diagonal);
   if (flat.empty()) return;

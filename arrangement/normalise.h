@@ -36,6 +36,13 @@ Result<Done> check_part(const Sections& sections);
 /// (check_part), not_finite, zero_normal, index_out_of_range, with their place.
 Result<Done> check_numbers(const Sections& sections);
 
+/// Volumes and areas of coordinates beyond this would overflow a double.
+inline constexpr double kLargestCoordinate = 1e100;
+
+/// That no coordinate is beyond kLargestCoordinate; those that are no finite number are left to
+/// check_numbers(). Errors: usage (check_part), too_large.
+Result<Done> check_size(const Sections& sections);
+
 /// Checks the input and reduces it to walls, as frame_sections() says; see there for the errors.
 /// O(v log v) for v vertices and edges; planes on several threads. Error cancelled.
 Result<NormalisedSections> normalise(const Sections& sections, double plane_tolerance,

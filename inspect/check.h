@@ -134,7 +134,8 @@ SectionCheck check_sections(const Surface& surface, const Sections& sections,
 
 /// The same with the sections as reconstruct() takes them (arrangement/framed_sections.h): several records of
 /// one plane are united, planes fitted to their vertices and vertices brought on to them, contours without
-/// area left out. What framing notes and warns of goes to the log of `context`. Errors: of frame_sections().
+/// area left out. What framing notes and warns of goes to the log of `context`. Errors: of frame_sections();
+/// too_large for a coordinate of a section beyond 1e100.
 Result<SectionCheck> check_framed_sections(const Surface& surface, const Sections& sections,
                                            const SectionCheckOptions& options = {},
                                            const Context& context = {});

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "../arrangement/framed_sections.h"
+#include "../arrangement/normalise.h"
 #include "check.h"
 
 namespace crossloft {
@@ -42,6 +43,7 @@ void add_displacements(const FramedPlane& frame, PlaneCheck& plane, SectionCheck
 
 Result<SectionCheck> check_framed_sections(const Surface& surface, const Sections& in,
                                            const SectionCheckOptions& options, const Context& context) {
+  if (auto good = check_size(in); !good) return good.error();
   const auto framed = frame_sections(in, options.plane_tolerance, context);
   if (!framed) return framed.error();
   tell(*framed, context);

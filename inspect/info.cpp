@@ -6,6 +6,7 @@
 #include <set>
 
 #include "../arrangement/data_box.h"
+#include "../arrangement/normalise.h"
 #include "../arrangement/section_graph.h"
 #include "../geom/unit_plane.h"
 
@@ -79,6 +80,7 @@ void extend_bounds(SectionsInfo& info, const FramedPlane& plane, bool& first) {
 
 Result<SectionsInfo> examine(const Sections& sections, double plane_tolerance, const Context& context) {
   return or_out_of_memory([&]() -> Result<SectionsInfo> {
+    if (auto good = check_size(sections); !good) return good.error();
     const auto framed = frame_sections(sections, plane_tolerance, context);
     if (!framed) return framed.error();
     SectionsInfo info;

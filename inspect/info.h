@@ -39,7 +39,8 @@ struct SectionsInfo {
   std::vector<std::string> notes, warnings;
 };
 
-/// Examines. Errors: those of frame_sections. O(n log n + n k) for n vertices and k planes, plus the arrangement.
+/// Examines. Errors: those of frame_sections; too_large for a coordinate beyond 1e100. O(n log n + n k) for n
+/// vertices and k planes, plus the arrangement.
 Result<SectionsInfo> examine(const Sections& sections, double plane_tolerance = 1e-3, const Context& context = {});
 
 }  // namespace crossloft

@@ -1,7 +1,6 @@
 #include "reconstruct.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "../arrangement/normalise.h"
 #include "../geom/failing.h"
@@ -10,9 +9,6 @@
 
 namespace crossloft {
 namespace {
-
-/// Volumes and areas of coordinates beyond this would overflow a double.
-constexpr double kLargestCoordinate = 1e100;
 
 Result<Done> check_natural(const NaturalOptions& options) {
   for (const double confidence : {options.join_confidence, options.dome_confidence, options.alone_confidence,
@@ -69,13 +65,7 @@ Result<Done> Pipeline::check_input() const {
   if (auto good = check_part(sections_); !good) return good;
   if (auto good = check_options(options_); !good) return good;
   if (auto good = check_joins(); !good) return good;
-  for (std::uint32_t p = 0; p < sections_.planes.size(); ++p)
-    for (const Vec3& v : sections_.planes[p].vertices)
-      if (std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}) > kLargestCoordinate && is_finite(v))
-        return Error{
-            ErrorCode::too_large, "a coordinate is beyond 1e100", {}, sections_.planes[p].line,
-            position_of(sections_, p), kNone};
-  return Done{};
+  return check_size(sections_);
 }
 
 Result<Done> Pipeline::frame() {

@@ -34,21 +34,11 @@ Result<Done> check_options(const RepairOptions& o) {
   return Done{};
 }
 
-Result<Done> check_size(const Sections& in, std::uint32_t i) {
-  const PlaneSection& p = in.planes[i];
-  for (const Vec3& v : p.vertices)
-    if (std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}) > 1e100)
-      return Error{ErrorCode::too_large, "a coordinate is beyond 1e100", in.source, p.line, i};
-  return Done{};
-}
-
 Result<Done> check_input(const Sections& in, const RepairOptions& options) {
   if (auto good = check_options(options); !good) return good;
   if (in.planes.empty()) return Error{ErrorCode::no_plane, "there is no cutting plane", in.source};
   if (auto good = check_numbers(in); !good) return good;
-  for (std::uint32_t i = 0; i < in.planes.size(); ++i)
-    if (auto good = check_size(in, i); !good) return good;
-  return Done{};
+  return check_size(in);
 }
 
 /// An open chain beside which all else is tiny is not where it should be, and says nothing of the size.

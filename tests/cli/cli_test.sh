@@ -307,6 +307,16 @@ expect 0 '' reconstruct cube.contour -o side.ply --picture side.png --picture-si
 expect 2 'threads: 1025 is not a whole number from 0 to 1024' reconstruct cube.contour -o useless.ply --threads 1025
 expect 2 'window: 0 is not' reconstruct stack.csl -o useless.ply --stream --window 0
 
+# What has no volume in doubles
+huge="$source/tests/io/bad/contour/beyond_1e100.contour"
+expect 3 '^crossloft: [^ ]*beyond_1e100.contour:12: plane 1: a coordinate is beyond 1e100$' info "$huge"
+expect 3 'beyond_1e100.contour:12: plane 1: a coordinate is beyond 1e100$' check cube.ply "$huge"
+tetrahedron() { printf "OFF\n4 4 0\n0 0 0\n$1 0 0\n0 $1 0\n0 0 $1\n3 0 1 2\n3 0 3 1\n3 0 2 3\n3 1 3 2\n"; }
+for size in 1e160 1e-110; do
+  tetrahedron $size >size.off
+  expect 1 '^NOT good: components are inside out$' check size.off
+done
+
 # Delaunay: the same points as text, surfaces and raw doubles
 # value KEY REPORT: what a report says.
 value() { sed -n "s/^  \"$1\": \"\?\([^\",]*\)\"\?,\?\$/\1/p" "$2"; }

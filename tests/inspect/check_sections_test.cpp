@@ -233,3 +233,10 @@ TEST_CASE("a plane that framing leaves out is met by nothing") {
   CHECK(r.planes[0].extra_area == doctest::Approx(1));
   CHECK(check_framed(cube(), {"", {moved(far, {0, 0, -1000})}}).extra_area == doctest::Approx(1));
 }
+
+TEST_CASE("sections beyond 1e100 are an error") {
+  PlaneSection far = square(0, 0, 1.1e100);
+  const auto check = check_framed_sections(cube(), {"", {far}});
+  REQUIRE_FALSE(check.ok());
+  CHECK(check.error().code == ErrorCode::too_large);
+}

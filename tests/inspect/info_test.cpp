@@ -42,3 +42,14 @@ TEST_CASE("normals of any length are told with length 1") {
     CHECK(info->planes[1].offset == -1);
   }
 }
+
+TEST_CASE("coordinates beyond 1e100 are an error") {
+  Sections s = two_disks();
+  s.planes[1].line = 7;
+  s.planes[1].vertices[0].x = 1.1e100;
+  const auto info = examine(s);
+  REQUIRE_FALSE(info.ok());
+  CHECK(info.error().code == ErrorCode::too_large);
+  CHECK(info.error().plane == 1);
+  CHECK(info.error().line == 7);
+}
