@@ -2,6 +2,8 @@
 /// What the user says about the joining of sections.
 
 #include <cstdint>
+#include <span>
+#include <string>
 
 #include "../arrangement/sections.h"
 #include "../geom/ids.h"
@@ -11,8 +13,9 @@ namespace crossloft {
 
 /// Two contours of the input that must, or must not, be joined within a cell of the arrangement that both
 /// reach. Numbers are positions in the file: of the plane, and of the contour in it. Mode natural only. A
-/// request to join can't do what the tetrahedra don't allow. One that names what is not in the file is an
-/// error (usage). With a request that forbids, the second look joins no small bodies (reconstruct/README.md).
+/// request to join can't do what the tetrahedra don't allow. Errors (usage): a request that names what is not
+/// in the file, or one contour twice, and two that contradict each other. With a request that forbids, the
+/// second look joins no small bodies (reconstruct/README.md).
 struct JoinRequest {
   std::uint32_t plane_a = kNone, contour_a = kNone;
   std::uint32_t plane_b = kNone, contour_b = kNone;
@@ -22,5 +25,9 @@ struct JoinRequest {
 /// A request that names nothing would be passed over in silence. `section`: the plane at that position, null
 /// if there is none. Error: usage.
 Result<Done> check_named(const PlaneSection* section, std::uint32_t plane, std::uint32_t contour);
+
+/// That each names two contours and none says the contrary of another, whichever contour comes first. Error:
+/// usage. O(n log n).
+Result<Done> check_against_each_other(std::span<const JoinRequest> requests);
 
 }  // namespace crossloft

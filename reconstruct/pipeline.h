@@ -45,7 +45,8 @@ class EdgeRing;
 struct OpenEdge;
 struct Window;
 
-/// That tolerances, confidences and weights are in their ranges. Error: usage.
+/// That tolerances, confidences and weights are in their ranges, choices are some of those that there are,
+/// and requests do not contradict each other. Error: usage.
 Result<Done> check_options(const Options& options);
 
 /// What the report says of a surface without triangles, by the number of planes with a section.

@@ -20,22 +20,13 @@ Result<Done> check_natural(const NaturalOptions& options) {
   return Done{};
 }
 
-}  // namespace
-
-Result<Done> check_named(const PlaneSection* section, std::uint32_t plane, std::uint32_t contour) {
-  if (section == nullptr)
-    return Error{ErrorCode::usage, "a request to join names a plane that is not there", {}, 0, plane,
-                 contour};
-  const auto& edges = section->edges;
-  if (std::none_of(edges.begin(), edges.end(), [&](const ContourEdge& e) { return e.contour == contour; }))
-    return Error{ErrorCode::usage,
-                 "a request to join names a contour that is not there",
-                 {},
-                 section->line,
-                 plane,
-                 contour};
-  return Done{};
+/// No numbers that were made into choices.
+bool are_choices(const Options& options) {
+  return options.mode <= PruneMode::paper_literal && options.branching.mode <= Branching::all &&
+         options.natural.divide <= InCells::all && options.natural.look_around <= InCells::all;
 }
+
+}  // namespace
 
 std::string why_empty(std::size_t filled) {
   if (filled == 0) return "the surface is empty: no plane has a section";
@@ -50,6 +41,8 @@ Result<Done> check_options(const Options& options) {
     if (!(tolerance >= 0 && tolerance <= 1))
       return make_error(ErrorCode::usage, "a tolerance is a fraction of the diagonal, between 0 and 1");
   if (auto good = check_plane_tolerance(options.plane_tolerance); !good) return good;
+  if (!are_choices(options)) return make_error(ErrorCode::usage, "an option has none of its values");
+  if (auto good = check_against_each_other(options.joins); !good) return good;
   return check_natural(options.natural);
 }
 

@@ -274,7 +274,7 @@ Options draw_options(ByteSource& bytes) {
   return options;
 }
 
-/// Requests name contours that are there; the others are an error of their own.
+/// Requests name two contours that are there; the others are an error of their own.
 void draw_requests(const Sections& sections, Options& options, ByteSource& bytes) {
   const auto draw = [&](std::uint32_t& plane, std::uint32_t& contour) {
     plane = bytes.below(static_cast<std::uint32_t>(sections.planes.size()));
@@ -286,6 +286,7 @@ void draw_requests(const Sections& sections, Options& options, ByteSource& bytes
   JoinRequest request;
   if (sections.planes.empty() || !draw(request.plane_a, request.contour_a)) return;
   if (!draw(request.plane_b, request.contour_b)) return;
+  if (request.plane_a == request.plane_b && request.contour_a == request.contour_b) return;
   request.join = bytes.one_in(2);
   options.joins.push_back(request);
 }

@@ -485,6 +485,8 @@ TEST_CASE("What can't be streamed is an error with its place") {
   unknown.window_vertices = 1;
   CHECK(error_of(unknown).plane == 29);
   CHECK(error_of(unknown).contour == 7);
+  unknown.options.joins = {{0, 0, 1, 0, true}, {1, 0, 0, 0, false}};
+  CHECK(error_of(unknown).code == ErrorCode::usage);
   const Sections good = sections;
   sections.planes[17].normal.x += 1e-3;
   sections.planes[17].line = 123;

@@ -296,4 +296,31 @@ TEST_CASE("options of natural and requests that make no sense are refused, with 
   contour.joins.push_back({0, 0, 1, 5, false});
   CHECK(refused(contour).plane == 1);
   CHECK(refused(contour).contour == 5);
+  // A contour with itself, and the contrary of another, whichever contour comes first.
+  for (const bool join : {false, true}) {
+    Options itself, contrary;
+    itself.joins = {{0, 0, 1, 1, true}, {1, 0, 1, 0, join}};
+    CHECK(refused(itself).plane == 1);
+    contrary.joins = {{0, 1, 1, 0, join}, {0, 0, 1, 0, true}, {0, 1, 1, 0, !join}};
+    CHECK(refused(contrary).contour == 1);
+    contrary.joins[0] = {1, 0, 0, 1, join};
+    CHECK(refused(contrary).contour == 1);
+    contrary.joins[2].join = join;  // the same twice
+    CHECK(reconstruct(sections, contrary).ok());
+  }
+}
+
+TEST_CASE("numbers that were made into choices are refused") {
+  const Sections sections = two_columns(1.5);
+  const auto check = [&](const auto& spoil) {
+    Options options;
+    spoil(options);
+    const auto r = reconstruct(sections, options);
+    REQUIRE(!r.ok());
+    CHECK(r.error().code == ErrorCode::usage);
+  };
+  check([](Options& o) { o.mode = static_cast<PruneMode>(4); });
+  check([](Options& o) { o.branching.mode = static_cast<Branching>(3); });
+  check([](Options& o) { o.natural.divide = static_cast<InCells>(3); });
+  check([](Options& o) { o.natural.look_around = static_cast<InCells>(77); });
 }
