@@ -46,7 +46,9 @@ Result<Done> check_options(const Options& options) {
   return check_natural(options.natural);
 }
 
+/// A window has all requests of the stack, which has checked them: also those that name planes elsewhere.
 Result<Done> Pipeline::check_joins() const {
+  if (window_) return Done{};
   for (const JoinRequest& r : options_.joins) {
     if (auto good = check_named(plane_at(sections_, r.plane_a), r.plane_a, r.contour_a); !good) return good;
     if (auto good = check_named(plane_at(sections_, r.plane_b), r.plane_b, r.contour_b); !good) return good;

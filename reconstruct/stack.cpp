@@ -62,7 +62,7 @@ class StackBuilder {
     return Done{};
   }
 
-  /// Windows know no more than their own planes.
+  /// Windows know no more than their own planes, and do not check them.
   Result<Done> check_joins() {
     for (const JoinRequest& r : options_.options.joins)
       for (const auto& [position, contour] : {std::pair{r.plane_a, r.contour_a}, {r.plane_b, r.contour_b}}) {
@@ -102,14 +102,7 @@ class StackBuilder {
     context_.report("slices", static_cast<double>(first) / planes_.levels());
     auto sections = read_part(source_, planes_, first, last);
     if (!sections) return sections.error();
-    Options options = options_.options;
-    std::erase_if(options.joins, [&](const JoinRequest& r) {
-      const auto is_here = [&](std::uint32_t position) {
-        return position >= planes_.positions.size() || plane_at(*sections, position) != nullptr;
-      };
-      return !is_here(r.plane_a) || !is_here(r.plane_b);
-    });
-    auto window = reconstruct_window(*sections, options, quiet_);
+    auto window = reconstruct_window(*sections, options_.options, quiet_);
     if (!window) return window.error();
     if (auto good = check_order(*window); !good) return good.error();
     ++report_.windows;

@@ -28,7 +28,8 @@ struct Window {
       framing_warnings;  ///< those of the report that are about single planes
 };
 
-/// REQUIRES: planes that are parallel, with `part_of`. Errors: as reconstruct().
+/// REQUIRES: planes that are parallel, with `part_of`; `joins` of planes that are in the stack. Errors: as
+/// reconstruct().
 Result<Window> reconstruct_window(const Sections& sections, const Options& options, const Context& context);
 
 }  // namespace crossloft

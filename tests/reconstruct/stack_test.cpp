@@ -453,6 +453,22 @@ TEST_CASE("Requests of the user act in the windows that have both planes") {
   check_streamed(sections, options);
 }
 
+TEST_CASE("A request that forbids a join keeps small bodies apart in all windows") {
+  Sections sections;
+  for (std::uint32_t p = 0; p < 60; ++p) {
+    PlaneSection& plane = sections.planes.emplace_back();
+    const double x = p % 9 == 4 ? 2 : 0, z = p;
+    plane.normal = {0, 0, 1};
+    plane.offset = -z;
+    plane.vertices = {{x, 0, z}, {x + 1.1, 0, z}, {x + 1.1, 1, z}, {x, 1, z}};
+    for (std::uint32_t i = 0; i < 4; ++i) plane.edges.push_back({i, (i + 1) % 4, 1, 0, 0, 0});
+  }
+  CHECK(check_streamed(sections).report.topology.bodies_joined > 0);
+  Options options;
+  options.joins.push_back({0, 0, 1, 0, false});
+  CHECK(check_streamed(sections, options).report.topology.bodies_joined == 0);
+}
+
 TEST_CASE("What can't be streamed is an error with its place") {
   Sections sections = stack_of(torus(1, 0.4, 24, 16), 30);
   sections.source = "torus.csl";
