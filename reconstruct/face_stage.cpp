@@ -100,7 +100,7 @@ void Pipeline::drop_what_samples_need() {
 
 /// Nothing is pruned again: so does what the cells needed.
 void Pipeline::drop_what_cells_need() {
-  for (FaceTriangulation& face : faces_) face.edges = {};
+  for (FaceTriangulation& face : faces_) face.edges = {}, face.border = {};
   for (CellState& cell : cells_) {
     cell.triangulation.reset();
     if (glued_) cell.partners = {};

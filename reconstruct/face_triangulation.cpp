@@ -169,6 +169,7 @@ class FaceBuilder {
   void find_walls();
   Result<Done> label();
   bool seed(std::uint32_t triangle) const;
+  void collect_border();
   void collect_edges();
 
   const SectionGraph& graph_;
@@ -277,6 +278,13 @@ Result<Done> FaceBuilder::label() {
   return Done{};
 }
 
+/// The table has the walls of the border first.
+void FaceBuilder::collect_border() {
+  for (std::uint32_t t = 0; t < mesh_.size() && !input_.border.empty(); ++t)
+    for (std::uint32_t i = 0; i < 3 && result_.internal[t] != 0; ++i)
+      if (wall_at_[t][i] < input_.border.size()) result_.border.push_back(table_[wall_at_[t][i]]);
+}
+
 void FaceBuilder::collect_edges() {
   result_.sides.resize(mesh_.size());
   // Euler: one less, but for points that are none of its vertices.
@@ -307,6 +315,7 @@ Result<FaceTriangulation> FaceBuilder::run() {
   mesh_ = tri.tri_mesh();
   find_walls();
   if (auto done = label(); !done) return done.error();
+  collect_border();
   collect_edges();
   result_.triangles = std::move(mesh_.vertices);
   for (auto& side : result_.covered) side.assign(result_.triangles.size(), 0);

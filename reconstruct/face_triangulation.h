@@ -30,6 +30,7 @@ struct FaceTriangulation {
   std::vector<FaceEdge> edges;  ///< of the triangles; those on lines get their kind from LineEdges
   std::vector<std::array<std::uint32_t, 3>> sides;   ///< by triangle: its edges, each opposite to a vertex
   std::vector<Wall> walls;                           ///< contour pieces inside the face, local ends
+  std::vector<Wall> border;                          ///< on its edges, where they bound the section on it
   std::array<std::vector<std::uint8_t>, 2> covered;  ///< by triangle: 1 if a kept tetrahedron of the cell on
                                                      ///< the negative / positive side stands on it
 

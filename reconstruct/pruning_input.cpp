@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "rising_search.h"
+
 namespace crossloft {
 namespace {
 
@@ -14,21 +16,6 @@ FacePlane face_plane(const LatticePlane& plane, double inward) {
   const Vec3 normal = as_vector(plane.normal);
   const Vec3 unit = inward / norm(normal) * normal;
   return {unit, -dot(unit, as_vector(plane.origin))};
-}
-
-/// Local vertices of the cell at the walls of one contour.
-std::vector<std::uint32_t> vertices_of(std::uint32_t plane, std::uint32_t contour,
-                                       std::span<const CellFace> faces, const BuiltCell& cell) {
-  std::vector<std::uint32_t> vertices;
-  for (const CellFace& face : faces)
-    for (const Wall& wall : face.triangulation->walls) {
-      if (wall.source_plane != plane || wall.contour != contour) continue;
-      const auto place = std::lower_bound(cell.vertices.begin(), cell.vertices.end(), face.numbers[wall.a]);
-      vertices.push_back(static_cast<std::uint32_t>(place - cell.vertices.begin()));
-    }
-  std::sort(vertices.begin(), vertices.end());
-  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-  return vertices;
 }
 
 /// Vertices by local numbers instead of final ones.
@@ -97,13 +84,38 @@ Answers by_final_numbers(Answers answers, std::span<const FaceId> faces, const B
   return answers;
 }
 
+CellContours::CellContours(std::span<const CellFace> faces) {
+  for (const CellFace& face : faces)
+    for (const auto& walls : {std::span(face.triangulation->walls), std::span(face.triangulation->border)})
+      for (const Wall& wall : walls)
+        for (const std::uint32_t v : {wall.a, wall.b})
+          vertices_.push_back({wall.source_plane, wall.contour, face.numbers[v]});
+  std::sort(vertices_.begin(), vertices_.end());
+  vertices_.erase(std::unique(vertices_.begin(), vertices_.end()), vertices_.end());
+}
+
+std::span<const ContourVertex> CellContours::vertices(std::uint32_t plane, std::uint32_t contour) const {
+  const auto first = std::lower_bound(vertices_.begin(), vertices_.end(), ContourVertex{plane, contour, 0});
+  const auto last = std::upper_bound(first, vertices_.end(), ContourVertex{plane, contour, kNone});
+  return {first, last};
+}
+
 std::vector<JoinWish> cell_wishes(std::span<const JoinRequest> requests, std::span<const CellFace> faces,
                                   const BuiltCell& cell) {
   std::vector<JoinWish> wishes;
+  if (requests.empty()) return wishes;
+  const CellContours contours(faces);
+  const auto local = [&](std::span<const ContourVertex> list) {
+    std::vector<std::uint32_t> vertices;
+    RisingSearch search(cell.vertices);
+    for (const ContourVertex& v : list)
+      vertices.push_back(static_cast<std::uint32_t>(search.lower_bound(v.vertex)));
+    return vertices;
+  };
   for (const JoinRequest& request : requests) {
-    JoinWish wish{vertices_of(request.plane_a, request.contour_a, faces, cell),
-                  vertices_of(request.plane_b, request.contour_b, faces, cell), request.join};
-    if (!wish.a.empty() && !wish.b.empty()) wishes.push_back(std::move(wish));
+    const auto a = contours.vertices(request.plane_a, request.contour_a),
+               b = contours.vertices(request.plane_b, request.contour_b);
+    if (!a.empty() && !b.empty()) wishes.push_back({local(a), local(b), request.join});
   }
   return wishes;
 }

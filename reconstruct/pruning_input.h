@@ -1,6 +1,8 @@
 #pragma once
 /// What pruning wants to know of a cell beside its tetrahedra: where they are, and what the user asks for.
 
+#include <compare>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -28,8 +30,25 @@ CellRequests by_local_numbers(CellRequests requests, const BuiltCell& cell);
 /// The other way around; faces by their numbers in the arrangement. `faces`: as in cell_shape.
 Answers by_final_numbers(Answers answers, std::span<const FaceId> faces, const BuiltCell& cell);
 
-/// The requests that concern a cell, by its local vertices: a contour's are those of its walls on the cell's
-/// faces.
+/// A contour of the file at a vertex.
+struct ContourVertex {
+  std::uint32_t plane = 0, contour = 0, vertex = 0;
+  friend auto operator<=>(const ContourVertex&, const ContourVertex&) = default;
+};
+
+/// The contours of a cell: those with walls on its faces, or on their borders where they bound the section.
+class CellContours {
+ public:
+  explicit CellContours(std::span<const CellFace> faces);
+
+  /// By final numbers, ascending. O(log n) for n vertices of walls.
+  std::span<const ContourVertex> vertices(std::uint32_t plane, std::uint32_t contour) const;
+
+ private:
+  std::vector<ContourVertex> vertices_;  ///< ascending
+};
+
+/// The requests that concern a cell, by its local vertices.
 std::vector<JoinWish> cell_wishes(std::span<const JoinRequest> requests, std::span<const CellFace> faces,
                                   const BuiltCell& cell);
 

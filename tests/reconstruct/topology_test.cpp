@@ -6,6 +6,7 @@
 #include "../../inspect/check.h"
 #include "../../inspect/slice.h"
 #include "../../inspect/solids.h"
+#include "../arrangement/polygon_sections.h"
 #include "scenes.h"
 
 using namespace crossloft;
@@ -44,6 +45,24 @@ Sections two_columns(double gap) {
       for (std::uint32_t i = 0; i < 4; ++i) plane.edges.push_back({first + i, first + (i + 1) % 4, 1, 0, k});
     }
     sections.planes.push_back(plane);
+  }
+  return sections;
+}
+
+/// A tray whose floor has all of its contour on the lines of the planes through its walls, and a square above
+/// it.
+Sections tray_and_square() {
+  Sections sections;
+  for (const double z : {0.0, 1.0}) {
+    sections.planes.push_back(plane_at({0, 0, 1}, {0, 0, z}));
+    add_contour(sections.planes.back(), square(0, 0, z, z == 0 ? 1 : 0.5));
+  }
+  for (const double at : {-1.0, 1.0}) {
+    constexpr double kHigh = 0.125;
+    PlaneSection x = plane_at({1, 0, 0}, {at, 0, 0}), y = plane_at({0, 1, 0}, {0, at, 0});
+    add_contour(x, {{at, -1, 0}, {at, 1, 0}, {at, 1, kHigh}, {at, -1, kHigh}});
+    add_contour(y, {{-1, at, 0}, {1, at, 0}, {1, at, kHigh}, {-1, at, kHigh}});
+    sections.planes.insert(sections.planes.end(), {x, y});
   }
   return sections;
 }
@@ -212,6 +231,20 @@ TEST_CASE("two columns stay two; a request keeps even one column's ends apart") 
   REQUIRE(cut.ok());
   CHECK(cut->report.topology.joins == 1);
   CHECK(cut->report.topology.refused_joins >= 1);
+}
+
+TEST_CASE("a request hears of contours that lie on lines of planes") {
+  const Sections sections = tray_and_square();
+  const auto one = reconstruct(sections);
+  REQUIRE(one.ok());
+  CHECK(one->report.topology.joins == 1);
+  CHECK(check_surface(one->surface).components.size() == 1);
+  Options options;
+  options.joins.push_back({0, 0, 1, 0, false});
+  const auto two = reconstruct(sections, options);
+  REQUIRE(two.ok());
+  CHECK(two->report.topology.joins == 0);
+  CHECK(check_surface(two->surface).components.size() == 2);
 }
 
 TEST_CASE("a join below the wanted confidence is refused and reported, and a request overrides that") {
