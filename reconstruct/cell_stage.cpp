@@ -442,6 +442,7 @@ Result<Done> Pipeline::fill_cells() {
   cover_finally();
   if (options_.thicken > 0)
     if (auto done = thicken(); !done) return done;
+  find_heard_requests();
   result_.report.seconds.cells = watch_.lap();
   finish_faces();
   finish_cells();

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <tuple>
 #include <utility>
-#include <vector>
 
 namespace crossloft {
 
@@ -42,6 +41,21 @@ Result<Done> check_against_each_other(std::span<const JoinRequest> requests) {
                    a.second};
   }
   return Done{};
+}
+
+std::vector<std::string> why_unheard(std::span<const JoinRequest> requests, PruneMode mode,
+                                     std::span<const std::uint8_t> heard) {
+  if (requests.empty()) return {};
+  if (mode != PruneMode::natural) return {"requests to join do nothing: they are for mode natural alone"};
+  const auto name = [](std::uint32_t plane, std::uint32_t contour) {
+    return "contour " + std::to_string(contour) + " of plane " + std::to_string(plane);
+  };
+  std::vector<std::string> list;
+  for (std::size_t i = 0; i < requests.size(); ++i)
+    if (const JoinRequest& r = requests[i]; heard[i] == 0)
+      list.push_back("a request to join does nothing: no cell has both " + name(r.plane_a, r.contour_a) +
+                     " and " + name(r.plane_b, r.contour_b));
+  return list;
 }
 
 }  // namespace crossloft

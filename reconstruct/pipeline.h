@@ -177,6 +177,8 @@ class Pipeline {
   Result<Done> check_joins() const;
   Result<Done> check_input() const;
   void report_crossings();
+  void find_heard_requests();
+  void explain_requests();
   void explain_empty();
 
   /// Faces with samples are triangulated anew; vertices get new numbers in the same order.
@@ -254,6 +256,7 @@ class Pipeline {
   KnownFacets known_;                                    ///< of tets_, unless they have been glued
   std::vector<std::array<std::uint32_t, 4>> roof_tets_;  ///< of flat regions
   std::vector<std::uint32_t> thickened_;                 ///< by plane: its flat regions that got a plate
+  std::vector<std::uint8_t> heard_;                      ///< by request: 1 if some cell has both contours
   Window* window_ = nullptr;                             ///< if the sections are a part of a stack
   Reconstruction result_;
 };

@@ -5,7 +5,9 @@
 #include "../arrangement/normalise.h"
 #include "../geom/failing.h"
 #include "pipeline.h"
+#include "pruning_input.h"
 #include "self_check.h"
+#include "window.h"
 
 namespace crossloft {
 namespace {
@@ -133,6 +135,29 @@ Result<Done> Pipeline::arrange() {
   return Done{};
 }
 
+/// Before the cells go.
+void Pipeline::find_heard_requests() {
+  if (options_.joins.empty() || options_.mode != PruneMode::natural) return;
+  for (std::uint32_t c = 0; c < cells_.size(); ++c) {
+    if (cells_[c].report.tets_r0 == 0) continue;
+    const CellContours contours(cell_faces(CellId{c}, inner_faces(CellId{c})));
+    for (std::size_t i = 0; i < heard_.size(); ++i) {
+      const JoinRequest& r = options_.joins[i];
+      if (!contours.vertices(r.plane_a, r.contour_a).empty() &&
+          !contours.vertices(r.plane_b, r.contour_b).empty())
+        heard_[i] = 1;
+    }
+  }
+}
+
+/// A window leaves it to the stack: others may have a cell with both.
+void Pipeline::explain_requests() {
+  if (window_)
+    window_->heard = std::move(heard_);
+  else
+    for (std::string& text : why_unheard(options_.joins, options_.mode, heard_)) warn(std::move(text));
+}
+
 void Pipeline::explain_empty() {
   if (!result_.surface.triangles.empty()) {
     if (result_.report.flat_regions != 0)
@@ -149,6 +174,7 @@ Result<Reconstruction> Pipeline::run() {
   Stopwatch total;
   Report& report = result_.report;
   report.mode = name_of(options_.mode);
+  heard_.assign(options_.joins.size(), 0);
   if (auto done = frame(); !done) return done.error();
   if (!framed_.planes.empty())
     for (const auto step :
@@ -156,6 +182,7 @@ Result<Reconstruction> Pipeline::run() {
       if (context_.cancelled()) return cancelled();
       if (auto done = (this->*step)(); !done) return done.error();
     }
+  explain_requests();
   explain_empty();
   report.seconds.total = total.lap();
   return std::move(result_);

@@ -34,6 +34,7 @@ class StackBuilder {
       : source_(source), options_(options), context_(context), quiet_(context), sink_(sink) {
     quiet_.log = nullptr;  // windows overlap: each would say it again, and count what is in both
     quiet_.progress = nullptr;
+    heard_.assign(options.options.joins.size(), 0);
   }
 
   Result<StackReport> run() {
@@ -105,6 +106,7 @@ class StackBuilder {
     auto window = reconstruct_window(*sections, options_.options, quiet_);
     if (!window) return window.error();
     if (auto good = check_order(*window); !good) return good.error();
+    for (std::size_t i = 0; i < heard_.size(); ++i) heard_[i] |= window->heard[i];
     ++report_.windows;
     return Part{std::move(window).value(), first, last};
   }
@@ -210,6 +212,8 @@ class StackBuilder {
     report_.cavities = totals.cavities;
     report_.genus = totals.genus;
     report_.volume = totals.volume;
+    for (std::string& text : why_unheard(options_.options.joins, options_.options.mode, heard_))
+      warn(std::move(text));
     if (report_.surface_triangles == 0)
       explain_empty();
     else if (report_.flat_regions != 0)
@@ -251,6 +255,7 @@ class StackBuilder {
   std::optional<Stitcher> stitcher_;
   std::optional<Seam> seam_;    ///< up to which all has been handed on
   std::set<std::string> told_;  ///< of notes and warnings
+  std::vector<std::uint8_t> heard_;  ///< by request: 1 if some cell of a window has both contours
   std::uint64_t merged_vertices_ = 0, contacts_ = 0;
   StackReport report_;
 };

@@ -24,6 +24,7 @@ struct Window {
   std::vector<std::uint32_t> contact_slab;  ///< by pair of triangles that touch: the lower slab of the two
   std::vector<std::uint32_t> cell_slab;  ///< by cell of the report
   std::vector<std::uint32_t> slab_tets;  ///< by slab: tetrahedra of the solid
+  std::vector<std::uint8_t> heard;       ///< by request: 1 if some cell of the window has both contours
   std::vector<std::string> framing_notes,
       framing_warnings;  ///< those of the report that are about single planes
 };

@@ -469,6 +469,19 @@ TEST_CASE("A request that forbids a join keeps small bodies apart in all windows
   CHECK(check_streamed(sections, options).report.topology.bodies_joined == 0);
 }
 
+TEST_CASE("Requests that no cell hears are told once, as at once") {
+  const Sections sections = stack_of(nested_shells(32), 40);
+  Options options;  // of one window, of two, and of none
+  options.joins = {{19, 0, 20, 0, false}, {3, 0, 4, 0, true}, {20, 0, 22, 0, true}, {2, 0, 35, 0, true}};
+  for (const PruneMode mode : {PruneMode::natural, PruneMode::joint}) {
+    options.mode = mode;
+    const auto whole = reconstruct(sections, options);
+    REQUIRE(whole.ok());
+    CHECK(whole->report.warnings.size() == (mode == PruneMode::natural ? 2 : 1));
+    CHECK(streamed(sections, options).report.warnings == whole->report.warnings);
+  }
+}
+
 TEST_CASE("What can't be streamed is an error with its place") {
   Sections sections = stack_of(torus(1, 0.4, 24, 16), 30);
   sections.source = "torus.csl";

@@ -343,6 +343,30 @@ TEST_CASE("options of natural and requests that make no sense are refused, with 
   }
 }
 
+TEST_CASE("requests that do nothing are told") {
+  const Sections sections = two_columns(1.5);
+  Sections apart = sections;  // an empty plane between the two sections of each column
+  apart.planes.push_back(plane_at({0, 0, 1}, {0, 0, 0.5}));
+  Options options;
+  options.joins = {{0, 0, 1, 0, true}, {1, 1, 0, 1, false}};
+  const auto warnings = [&](const Sections& of) {
+    const auto r = reconstruct(of, options);
+    REQUIRE(r.ok());
+    return r->report.warnings;
+  };
+  CHECK(warnings(sections).empty());
+  std::vector<std::string> told = warnings(apart);
+  REQUIRE(told.size() == 3);  // and that nothing came out
+  CHECK(told[0] ==
+        "a request to join does nothing: no cell has both contour 0 of plane 0 and contour 0 of plane 1");
+  CHECK(told[1] ==
+        "a request to join does nothing: no cell has both contour 1 of plane 1 and contour 1 of plane 0");
+  options.mode = PruneMode::joint;
+  told = warnings(sections);
+  REQUIRE(told.size() == 1);
+  CHECK(told[0] == "requests to join do nothing: they are for mode natural alone");
+}
+
 TEST_CASE("numbers that were made into choices are refused") {
   const Sections sections = two_columns(1.5);
   const auto check = [&](const auto& spoil) {
