@@ -261,15 +261,18 @@ Result<std::vector<WallSection>> collect_all(const Sections& in,
 
 void note_materials(const Sections& in, std::vector<std::string>& notes) {
   std::set<std::int32_t> materials;
-  std::int32_t last = 0;
-  for (const PlaneSection& p : in.planes)
-    for (const ContourEdge& e : p.edges)
-      for (const std::int32_t m : {e.material_a, e.material_b})
-        if (m != 0 && m != last) materials.insert(last = m);
+  for (const PlaneSection& p : in.planes) add_materials(p, materials);
   if (materials.size() > 1) notes.push_back(note_of_materials(materials.size()));
 }
 
 }  // namespace
+
+void add_materials(const PlaneSection& plane, std::set<std::int32_t>& materials) {
+  std::int32_t last = 0;
+  for (const ContourEdge& e : plane.edges)
+    for (const std::int32_t m : {e.material_a, e.material_b})
+      if (m != 0 && m != last) materials.insert(last = m);
+}
 
 std::string note_of_materials(std::size_t count) {
   return "the sections have " + std::to_string(count) + " materials: inside is any of them";

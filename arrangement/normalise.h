@@ -2,6 +2,7 @@
 /// The checked input: per plane distinct vertices and the walls between inside and outside, still in doubles.
 
 #include <cstdint>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -61,6 +62,9 @@ struct WallExtent {
 
 /// REQUIRES: finite numbers, edges between vertices that are there. O(v log v) for v vertices and edges.
 WallExtent wall_extent(const Sections& sections);
+
+/// Adds those of a plane, but for the outside.
+void add_materials(const PlaneSection& plane, std::set<std::int32_t>& materials);
 
 /// What is told of several materials, by all in the same words, so that it is told once.
 std::string note_of_materials(std::size_t count);

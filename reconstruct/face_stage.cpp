@@ -4,7 +4,9 @@
 #include <string>
 
 #include "assemble.h"
+#include "messages.h"
 #include "pipeline.h"
+#include "window.h"
 
 namespace crossloft {
 
@@ -56,8 +58,9 @@ Result<Done> Pipeline::refine_faces(std::span<const std::vector<LatticePoint>> s
   });
   if (!good) return good;
   if (const auto faces = std::count(left_out.begin(), left_out.end(), 1); faces != 0)
-    note(std::to_string(faces) + (faces == 1 ? " face goes" : " faces go") +
-         " without branching samples: contours come too close to them");
+    note(tell_unsampled(static_cast<std::size_t>(faces)));
+  for (std::size_t f = 0; f < faces_.size() && window_; ++f)
+    if (left_out[f] != 0) window_->unsampled.push_back(faces_[f].plane);
   const Numbering before = std::move(numbering_);
   numbering_ = number_vertices(graph_, faces_);
   std::vector<std::uint32_t> number = renumbering(before, numbering_);

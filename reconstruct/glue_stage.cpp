@@ -8,6 +8,7 @@
 #include "contacts.h"
 #include "flats.h"
 #include "mend.h"
+#include "messages.h"
 #include "resize.h"
 #include "section_confinement.h"
 #include "self_check.h"
@@ -167,9 +168,7 @@ void Pipeline::mend(const GluedSurface& glued) {
   report.mended_vertices = mending.moved;
   report.merged_vertices = mending.merged;
   report.mending = mending.largest;
-  if (mending.merged != 0)
-    warn(std::to_string(mending.merged) +
-         " vertices were merged with others, as triangles crossed after rounding: some have no area");
+  if (mending.merged != 0) warn(tell_merged(mending.merged));
 }
 
 /// Moves vertices of the surface alone: the solid keeps its points, and the report its volume.
@@ -177,12 +176,12 @@ void Pipeline::separate(const GluedSurface& glued) {
   Report& report = result_.report;
   report.touching_copies = glued.copies;
   if (glued.copies == 0) return;
-  std::uint32_t crowded = 0;  // in what was tried last
-  const auto take = [&](const Separation& separation) {
+  Separation last;
+  const auto take = [&](Separation separation) {
     report.separated_copies += separation.separated;
-    report.touching_copies = separation.touching;
+    report.touching_copies = static_cast<std::uint32_t>(separation.touching.size());
     report.separation = std::max(report.separation, separation.largest);
-    crowded = separation.crowded;
+    last = std::move(separation);
   };
   SeparationEffort effort;
   if (options_.separation > 0) effort.longest = options_.separation * framed_.diagonal;
@@ -191,9 +190,8 @@ void Pipeline::separate(const GluedSurface& glued) {
                          SectionConfinement(graph_, faces_, numbering_, framed_.grid, glued), effort,
                          context_));
   const auto tell_of_crowded = [&] {
-    if (crowded != 0)
-      warn(std::to_string(crowded) +
-           " copies of vertices stay where they touch: too many triangles are around them");
+    if (!last.crowded.empty()) warn(tell_crowded(last.crowded.size()));
+    if (window_) window_->crowded_slab = slabs_of(last.crowded);
   };
   if (options_.separation == 0) return tell_of_crowded();
   effort.halvings = kHalvings, effort.rounds = kRounds, effort.most_around = kMostAround;
@@ -202,12 +200,11 @@ void Pipeline::separate(const GluedSurface& glued) {
   tell_of_crowded();
   const auto contacts = find_contacts(result_.surface);
   report.contacts = contacts.size();
+  if (window_) window_->touching_slab = slabs_of(last.touching);
   if (window_)
     for (const auto& [a, b] : contacts)
       window_->contact_slab.push_back(std::min(window_->triangle_slab[a], window_->triangle_slab[b]));
-  if (report.contacts != 0)
-    warn(std::to_string(report.contacts) + " pairs of triangles touch: " +
-         std::to_string(report.touching_copies) + " vertices could not be moved apart");
+  if (report.contacts != 0) warn(tell_contacts(report.contacts, report.touching_copies));
 }
 
 /// Section and flat area, plane by plane.

@@ -49,9 +49,6 @@ struct Window;
 /// and requests do not contradict each other. Error: usage.
 Result<Done> check_options(const Options& options);
 
-/// What the report says of a surface without triangles, by the number of planes with a section.
-std::string why_empty(std::size_t filled);
-
 /// One component of the surface, as cells see it.
 struct Piece {
   bool is_cavity = false, is_largest = false;
@@ -173,6 +170,7 @@ class Pipeline {
   std::uint32_t slab_of(CellId id) const;
   void note_slabs();
   void locate_surface();
+  std::vector<std::uint32_t> slabs_of(std::span<const std::uint32_t> vertices) const;
 
   Result<Done> check_joins() const;
   Result<Done> check_input() const;

@@ -4,6 +4,7 @@
 
 #include "../arrangement/normalise.h"
 #include "../geom/failing.h"
+#include "messages.h"
 #include "pipeline.h"
 #include "pruning_input.h"
 #include "self_check.h"
@@ -29,13 +30,6 @@ bool are_choices(const Options& options) {
 }
 
 }  // namespace
-
-std::string why_empty(std::size_t filled) {
-  if (filled == 0) return "the surface is empty: no plane has a section";
-  if (filled == 1)
-    return "the surface is empty: only one plane has a section, so there is nothing to join it to";
-  return "the surface is empty: no two sections face each other within one cell of the arrangement";
-}
 
 Result<Done> check_options(const Options& options) {
   for (const double tolerance :
@@ -160,9 +154,7 @@ void Pipeline::explain_requests() {
 
 void Pipeline::explain_empty() {
   if (!result_.surface.triangles.empty()) {
-    if (result_.report.flat_regions != 0)
-      warn(std::to_string(result_.report.flat_regions) +
-           " section regions stay bare on both sides: the solid does not contain them");
+    if (result_.report.flat_regions != 0) warn(tell_flats(result_.report.flat_regions));
     return;
   }
   std::size_t filled = 0;

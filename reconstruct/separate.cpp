@@ -144,7 +144,7 @@ class Separator {
         move(k, direction(k));
     bool some = true;
     for (int round = 0; round < effort_.rounds && some; ++round) some = move_touching();
-    count_touching();
+    find_touching();
     return result_;
   }
 
@@ -228,8 +228,11 @@ class Separator {
         around.push_back(t);
         if (around.size() > effort_.most_around) is_crowded[moving[i]] = true, around = {};
       });
-    for (const std::uint32_t k : moving)
-      if (is_crowded[k]) reach_[k] = 0, result_.crowded += touches(k) ? 1 : 0;
+    for (const std::uint32_t k : moving) {
+      if (!is_crowded[k]) continue;
+      reach_[k] = 0;
+      if (touches(k)) result_.crowded.push_back(copies_[k]);
+    }
   }
 
   /// Normals of the umbrella's triangles, of length 1 and towards the side on which `inside` mostly lies.
@@ -414,13 +417,14 @@ class Separator {
   }
 
   /// In each run of copies, those at a place that a copy before them has.
-  void count_touching() {
+  void find_touching() {
     for (std::size_t first = 0, last = 0; first < copies_.size(); first = last) {
       while (last < copies_.size() && same_origin(copies_[first], copies_[last])) ++last;
       for (std::size_t i = first; i < last; ++i)
-        result_.touching += std::any_of(copies_.begin() + static_cast<std::ptrdiff_t>(first),
-                                        copies_.begin() + static_cast<std::ptrdiff_t>(i),
-                                        [&](std::uint32_t v) { return points_[v] == points_[copies_[i]]; });
+        if (std::any_of(copies_.begin() + static_cast<std::ptrdiff_t>(first),
+                        copies_.begin() + static_cast<std::ptrdiff_t>(i),
+                        [&](std::uint32_t v) { return points_[v] == points_[copies_[i]]; }))
+          result_.touching.push_back(copies_[i]);
     }
   }
 

@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "../geom/bounds.h"
 #include "../geom/context.h"
@@ -46,9 +47,10 @@ struct SeparationEffort {
 
 struct Separation {
   std::uint32_t separated = 0;  ///< copies that moved
-  std::uint32_t touching = 0;   ///< copies left beyond one a place; before the moves: GluedSurface::copies
-  std::uint32_t crowded = 0;    ///< copies that touch others and might have moved, but for most_around
-  double largest = 0;           ///< longest move
+  /// Copies left beyond one a place, ascending; before the moves GluedSurface::copies of them.
+  std::vector<std::uint32_t> touching;
+  std::vector<std::uint32_t> crowded;  ///< those that touch others and might have moved, but for most_around
+  double largest = 0;                  ///< longest move
 };
 
 /// Moves copies, in the order of their numbers, into the cones of their umbrellas: by a fiftieth of the

@@ -7,6 +7,7 @@
 
 #include "../arrangement/normalise.h"
 #include "../geom/failing.h"
+#include "messages.h"
 #include "pipeline.h"
 #include "seam.h"
 #include "stack_planes.h"
@@ -44,6 +45,7 @@ class StackBuilder {
     if (!planes) return planes.error();
     planes_ = std::move(planes).value();
     if (auto good = check_joins(); !good) return good.error();
+    if (planes_.materials.size() > 1) note(note_of_materials(planes_.materials.size()));
     stitcher_.emplace(sink_, planes_.extent.low);
     if (auto good = planes_.extent.empty() ? tell_dropped() : build(); !good) return good.error();
     finish();
@@ -181,8 +183,13 @@ class StackBuilder {
     for (const std::string& text : window.framing_warnings)
       if (told_.insert(text).second) warn(text);
     merged_vertices_ += from.merged_vertices;
-    contacts_ += static_cast<std::uint64_t>(
-        std::count_if(window.contact_slab.begin(), window.contact_slab.end(), is_between));
+    const auto count = [&](const std::vector<std::uint32_t>& slabs) {
+      return static_cast<std::size_t>(std::count_if(slabs.begin(), slabs.end(), is_between));
+    };
+    contacts_ += count(window.contact_slab);
+    touching_ += count(window.touching_slab);
+    crowded_ += count(window.crowded_slab);
+    for (const std::uint32_t p : window.unsampled) unsampled_ += is_between(p + 1) ? 1 : 0;
   }
 
   void add_plane(const PlaneReport& plane) {
@@ -212,18 +219,22 @@ class StackBuilder {
     report_.cavities = totals.cavities;
     report_.genus = totals.genus;
     report_.volume = totals.volume;
+    explain();
+  }
+
+  /// In the order of a whole.
+  void explain() {
+    if (unsampled_ != 0) note(tell_unsampled(unsampled_));
+    if (merged_vertices_ != 0)
+      warn(tell_merged(merged_vertices_) + "; what two windows share is counted twice");
+    if (crowded_ != 0) warn(tell_crowded(crowded_));
+    if (contacts_ != 0) warn(tell_contacts(contacts_, touching_));
     for (std::string& text : why_unheard(options_.options.joins, options_.options.mode, heard_))
       warn(std::move(text));
     if (report_.surface_triangles == 0)
       explain_empty();
     else if (report_.flat_regions != 0)
-      warn(std::to_string(report_.flat_regions) +
-           " section regions stay bare on both sides: the solid does not contain them");
-    if (merged_vertices_ != 0)
-      warn(std::to_string(merged_vertices_) +
-           " vertices were merged with others, as triangles crossed after rounding: "
-           "some have no area; what two windows share is counted twice");
-    if (contacts_ != 0) warn(std::to_string(contacts_) + " pairs of triangles touch");
+      warn(tell_flats(report_.flat_regions));
   }
 
   /// Without any wall there is no window whose frame would tell of contours that cancelled each other.
@@ -256,7 +267,7 @@ class StackBuilder {
   std::optional<Seam> seam_;    ///< up to which all has been handed on
   std::set<std::string> told_;  ///< of notes and warnings
   std::vector<std::uint8_t> heard_;  ///< by request: 1 if some cell of a window has both contours
-  std::uint64_t merged_vertices_ = 0, contacts_ = 0;
+  std::size_t merged_vertices_ = 0, contacts_ = 0, touching_ = 0, crowded_ = 0, unsampled_ = 0;
   StackReport report_;
 };
 

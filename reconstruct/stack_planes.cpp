@@ -91,6 +91,7 @@ class Surveyor {
     if (auto good = take_direction(p, position); !good) return good;
     ends_.push_back(ends_along(unit_of(directions_[0]), walls->front(), {}));
     out_.vertices.push_back(static_cast<std::uint32_t>(p.vertices.size()));
+    add_materials(p, out_.materials);
     boxes_.push_back(bounds_of(walls->front().vertices));
     triangles_.push_back(least_triangle(walls->front()));
     out_.extent.join(boxes_.back());

@@ -2,6 +2,7 @@
 /// What has to be known of all planes of a stack before the first can be reconstructed.
 
 #include <cstdint>
+#include <set>
 #include <span>
 #include <vector>
 
@@ -19,6 +20,7 @@ struct StackPlanes {
   std::vector<std::uint32_t> vertices;  ///< by position
   Bounds extent, wide;                  ///< of all walls, of those of contours with area (PartOf)
   LatticeVector direction{};            ///< that frames give all planes
+  std::set<std::int32_t> materials;     ///< but for the outside
 
   std::uint32_t levels() const { return static_cast<std::uint32_t>(begin_of.size()) - 1; }
   std::span<const std::uint32_t> level(std::uint32_t l) const {

@@ -50,6 +50,20 @@ void Pipeline::locate_surface() {
   }
 }
 
+/// Of vertices of the surface; those in a plane count as in the slab above it, wherever a window ends.
+std::vector<std::uint32_t> Pipeline::slabs_of(std::span<const std::uint32_t> vertices) const {
+  std::vector<std::uint32_t> slabs;
+  if (vertices.empty()) return slabs;
+  const Window& window = *window_;
+  std::vector<std::uint32_t> slab;
+  for (const std::uint32_t plane : window.vertex_plane) slab.push_back(plane == kNone ? kNone : plane + 1);
+  for (std::size_t t = 0; t < window.triangle_slab.size(); ++t)
+    for (const std::uint32_t v : result_.surface.triangles[t])
+      if (window.vertex_plane[v] == kNone) slab[v] = window.triangle_slab[t];
+  for (const std::uint32_t v : vertices) slabs.push_back(slab[v]);
+  return slabs;
+}
+
 Result<Reconstruction> Pipeline::run_window(Window& window) {
   window_ = &window;
   auto result = run();

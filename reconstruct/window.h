@@ -22,6 +22,10 @@ struct Window {
       vertex_plane;  ///< by vertex of the surface: the plane that it came from, or kNone
   std::vector<std::uint32_t> triangle_slab;
   std::vector<std::uint32_t> contact_slab;  ///< by pair of triangles that touch: the lower slab of the two
+  std::vector<std::uint32_t>
+      touching_slab;                        ///< by copy left at the place of another, for Options::separation
+  std::vector<std::uint32_t> crowded_slab;  ///< by copy that touches others and has too much around it
+  std::vector<std::uint32_t> unsampled;     ///< planes that go without the branching samples that were wanted
   std::vector<std::uint32_t> cell_slab;  ///< by cell of the report
   std::vector<std::uint32_t> slab_tets;  ///< by slab: tetrahedra of the solid
   std::vector<std::uint8_t> heard;       ///< by request: 1 if some cell of the window has both contours
