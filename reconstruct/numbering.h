@@ -11,9 +11,11 @@
 namespace crossloft {
 
 struct Numbering {
-  std::vector<LatticePoint> points;                 ///< by final number, lexicographic; then points inside
-                                                    ///< cells, of bridges, and of roofs, each lot by itself
-  std::size_t bridge_begin = 0;                     ///< number of the first of these, once there are some
+  /// By final number: vertices of faces, in lexicographic order; then points inside cells round by round,
+  /// those of bridges, and those of roofs, first on the positive side of planes, each lot in lexicographic
+  /// order.
+  std::vector<LatticePoint> points;
+  std::size_t bridge_begin = 0;                     ///< where those of bridges begin, once these are built
   std::vector<std::uint32_t> graph_vertex;          ///< by final number, kNone for a split or sample
   std::vector<std::uint32_t> of_graph;              ///< final number by section graph vertex
   std::vector<std::vector<std::uint32_t>> of_face;  ///< [face][local vertex]: final number

@@ -122,7 +122,8 @@ struct CellState {
   void move_to(SolidInCells& solid);
 };
 
-/// run() goes through the stages in the order they are declared.
+/// run(), and fill_cells() in it, go through the stages in the order in which they are declared. Where the
+/// second look or a spike changes cells, bridges are built anew.
 class Pipeline {
  public:
   Pipeline(const Sections& sections, const Options& options, const Context& context, Observer* observer)
@@ -143,13 +144,6 @@ class Pipeline {
   bool is_in(InCells which, CellId id) const;
   Result<Done> divide(CellInHand& hand, CellState& state) const;
   void number_inside_points();
-  // second_look_stage.cpp
-  Result<Done> look_again();
-  Result<std::vector<Piece>> find_pieces();
-  /// Those that are due, though the solid has been put together.
-  Result<Done> prune_again();
-  // spike_stage.cpp
-  Result<Done> drop_spikes();
   // bridge_stage.cpp
   void build_bridges();
   void close_edges(std::span<OpenEdge> open, std::vector<BuiltBridges>& built);
@@ -157,6 +151,13 @@ class Pipeline {
   bool build_bridge(std::uint32_t cell, std::uint32_t number, bool may_make_handles, EdgeRing& ring,
                     BuiltBridges& built);
   void remove_bridges();
+  // second_look_stage.cpp
+  Result<Done> look_again();
+  Result<std::vector<Piece>> find_pieces();
+  /// Those that are due, though the solid has been put together.
+  Result<Done> prune_again();
+  // spike_stage.cpp
+  Result<Done> drop_spikes();
   // thicken_stage.cpp
   Result<Done> thicken();
   Result<std::vector<CellRoofs>> roofs_on(std::uint32_t side);

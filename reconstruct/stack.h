@@ -47,7 +47,7 @@ struct StackOptions {
 /// As far as they can be told piece by piece, the figures of Report.
 struct StackReport {
   double diagonal = 0;
-  std::uint32_t windows = 0;
+  std::uint32_t windows = 0;  ///< that were reconstructed, also those that were united with others then
   /// From the lowest to the highest along their normal, its first component that is not 0 being positive.
   std::vector<PlaneReport> planes;
   std::vector<CellReport> cells;    ///< likewise
@@ -71,9 +71,10 @@ struct StackReport {
 /// The result depends on the planes, their order in the file and window_vertices, not on the threads. Errors:
 /// usage for planes that are not parallel, with plane and line, and for options that ask all planes
 /// (NaturalOptions::divide and look_around = all); those of the source and the sink; those of reconstruct().
-/// Every plane is read twice, those between windows three times, those with contours that may have no area
-/// once more; more often only where windows do not fit and
-/// are united. O(n log n) for n vertices.
+/// Every plane is read twice, those between windows three times; once more each if it has contours that may
+/// have no area, if the normal that frames fit may put it in another place (stack_planes.h), and for each
+/// contour in a request to join; more often only where windows do not fit and are united. O(n log n) for n
+/// vertices.
 Result<StackReport> reconstruct_stack(SectionSource& source, SurfaceSink& sink,
                                       const StackOptions& options = {}, const Context& context = {});
 
