@@ -48,6 +48,16 @@ std::vector<std::array<Vec3, 3>> triangles_of(const Surface& surface) {
   return list;
 }
 
+/// What the user is told; of merged vertices, which may count twice, nothing.
+std::vector<std::string> words_of(const std::vector<std::string>& notes, std::vector<std::string> warnings) {
+  warnings.insert(warnings.end(), notes.begin(), notes.end());
+  std::erase_if(warnings, [](const std::string& text) {
+    return text.find("were merged with others") != std::string::npos;
+  });
+  std::sort(warnings.begin(), warnings.end());
+  return warnings;
+}
+
 std::string surface_complaint(const StackReport& report, const Surface& surface) {
   const CheckReport check = check_surface(surface);
   if (!check.good_topology()) return "no closed oriented manifold";
@@ -109,6 +119,9 @@ StreamVerdict judge_stream(const SectionSet& set, const Reconstruction& at_once)
   verdict.broken = surface_complaint(*report, sink.surface);
   if (!verdict.broken.empty()) verdict.broken = "as a stream: " + verdict.broken;
   verdict.other = triangles_of(sink.surface) != triangles_of(at_once.surface);
+  if (verdict.broken.empty() && !verdict.other &&
+      words_of(report->notes, report->warnings) != words_of(at_once.report.notes, at_once.report.warnings))
+    verdict.broken = "as a stream: other notes or warnings";
   return verdict;
 }
 

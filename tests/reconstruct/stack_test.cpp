@@ -16,6 +16,7 @@
 #include "../../inspect/slice.h"
 #include "../../inspect/solids.h"
 #include "../../reconstruct/glue.h"
+#include "../arrangement/polygon_sections.h"
 #include "columns.h"
 
 using namespace crossloft;
@@ -567,6 +568,31 @@ TEST_CASE("Warnings about a plane name its place in the file, once") {
         1);
   CHECK(notes == report->notes);
   CHECK(warnings == report->warnings);
+}
+
+TEST_CASE("Faces that go without branching samples are counted once, wherever windows end") {
+  Sections sections;
+  for (std::uint32_t p = 0; p < 24; ++p) {
+    PlaneSection& plane = sections.planes.emplace_back();
+    const double z = p;
+    plane.normal = {0, 0, 1};
+    plane.offset = -z;
+    if (p == 10 || p == 14) {  // two parts so near each other that no lattice point is between them
+      constexpr double kApart = 1e-12;
+      test::add_contour(plane, {{-4, -4, z}, {4, -4, z}, {4, 0.5, z}, {-4, -0.5, z}}, 0);
+      test::add_contour(plane, {{-4, -0.5 + kApart, z}, {4, 0.5 + kApart, z}, {4, 4, z}, {-4, 4, z}}, 1);
+      continue;
+    }
+    for (std::uint32_t k = 0; k < 9; ++k)
+      test::add_contour(plane, test::polygon({0, 0, 1}, {3.0 * (k % 3) - 3, 3.0 * (k / 3) - 3, z}, 0.6, 12),
+                        k);
+  }
+  Options options;
+  options.branching.mode = Branching::all;
+  options.on_tolerance = 0;
+  const Streamed parts = check_streamed(sections, options);
+  REQUIRE(parts.report.notes.size() == 1);
+  CHECK(parts.report.notes[0] == "2 faces go without branching samples: contours come too close to them");
 }
 
 TEST_CASE("Materials of all planes are told of once, as at once") {
