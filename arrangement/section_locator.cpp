@@ -7,6 +7,26 @@
 #include "../geom/ids.h"
 
 namespace crossloft {
+namespace {
+
+/// What is flat along one axis is asked along the other: of a strip all walls may be at one level.
+constexpr double kFarMore = 4;
+
+/// Of all walls along an axis.
+struct Levels {
+  double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
+  double spans = 0;  ///< of all walls, added up
+
+  void add(double low, double high) {
+    lowest = std::min(lowest, low);
+    highest = std::max(highest, high);
+    spans += high - low;
+  }
+  /// On average.
+  double walls_at_one() const { return spans > 0 ? spans / (highest - lowest) : 0; }
+};
+
+}  // namespace
 
 SectionLocator::SectionLocator(const LatticePlane& plane, std::span<const LatticePoint> points,
                                std::span<const WallEnds> walls)
@@ -16,25 +36,30 @@ SectionLocator::SectionLocator(const LatticePlane& plane, std::span<const Lattic
   second_ = (k + 2) % 3;
   left_side_ = plane.normal[static_cast<std::size_t>(k)] > 0 ? 1 : -1;
   measure();
-  const auto count = static_cast<double>(walls.size());
-  double lowest = std::numeric_limits<double>::infinity(), highest = -lowest, spans = 0;
-  for (const Box& box : boxes_) {
-    lowest = std::min(lowest, box.low);
-    highest = std::max(highest, box.high);
-    spans += box.high - box.low;
+  Levels levels, others;
+  for (const Box& box : boxes_) levels.add(box.low, box.high), others.add(box.left, box.right);
+  if (levels.walls_at_one() > kFarMore * (1 + others.walls_at_one())) {
+    levels = others;
+    std::swap(first_, second_);
+    left_side_ = -left_side_;
+    measure();
   }
+  const auto count = static_cast<double>(walls.size());
   // As many strips as walls, fewer where walls are long: each wall is in 1 + strips * span / height of them,
   // which this bounds by 9 on average.
-  const double wanted = spans > 0 ? 8.0 * count * ((highest - lowest) / spans) : 1;
+  const double wanted = levels.spans > 0 ? 8.0 * count / levels.walls_at_one() : 1;
   const std::uint32_t strips = walls.empty() ? 1 : static_cast<std::uint32_t>(std::clamp(wanted, 1.0, count));
-  origin_ = walls.empty() ? 0 : lowest;
+  origin_ = walls.empty() ? 0 : levels.lowest;
   last_strip_ = strips - 1.0;
-  inverse_ = !walls.empty() && highest > lowest ? strips / (highest - lowest) : 0.0;
+  inverse_ =
+      !walls.empty() && levels.highest > levels.lowest ? strips / (levels.highest - levels.lowest) : 0.0;
   fill_strips(strips);
 }
 
 /// Walls upward, and their boxes.
 void SectionLocator::measure() {
+  ordered_.clear();
+  boxes_.clear();
   ordered_.reserve(walls_.size());
   boxes_.reserve(walls_.size());
   for (const WallEnds& w : walls_) {

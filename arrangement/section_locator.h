@@ -20,7 +20,8 @@ struct WallEnds {
 /// A ray argument in exact arithmetic: the walls whose span contains the level of the point are counted on
 /// one side of it. Level = projected coordinates in lexicographic order, that is, the ray direction is turned
 /// by an infinitesimal angle, so that no wall is parallel to the ray and each wall owns its lower end only.
-/// Walls are kept in strips of the second projected axis: a query costs the walls that cross its strip.
+/// Walls are kept in strips of a projected axis: a query costs the walls that cross its strip. That is the
+/// second axis, or the first one if walls cross far fewer levels of that, as those of a flat section do.
 class SectionLocator {
  public:
   enum class Place : std::uint8_t { outside, boundary, inside };
@@ -55,8 +56,8 @@ class SectionLocator {
   };
   /// Of the rounded coordinates of a wall's ends. Rounding is monotone: what is apart here is apart.
   struct Box {
-    double low = 0, high = 0;    ///< of the second projected axis: levels
-    double left = 0, right = 0;  ///< of the first
+    double low = 0, high = 0;    ///< of the axis second_: levels
+    double left = 0, right = 0;  ///< of first_
 
     bool meets(const Box& b) const {
       return low <= b.high && b.low <= high && left <= b.right && b.left <= right;

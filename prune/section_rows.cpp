@@ -10,6 +10,24 @@ namespace crossloft {
 namespace {
 
 constexpr std::size_t kMostRows = 4096;
+/// Pieces in a row, on average, from which on rows go the other way if that has far fewer: all pieces of a
+/// flat section may be in one row. With less all answers are rounded as ever.
+constexpr std::uint64_t kCrowd = 64, kFarFewer = 4;
+
+/// 2^20 times the pieces that are in a row along the other coordinate, on average. Integers, so that the sum
+/// does not depend on the order of the pieces.
+std::uint64_t crowd_along(std::span<const SectionRows::Segment> contour, std::size_t coordinate) {
+  double low = contour[0][coordinate], high = low;
+  for (const SectionRows::Segment& s : contour) {
+    low = std::min({low, s[coordinate], s[coordinate + 2]});
+    high = std::max({high, s[coordinate], s[coordinate + 2]});
+  }
+  std::uint64_t sum = 0;
+  for (const SectionRows::Segment& s : contour)
+    if (high > low)
+      sum += static_cast<std::uint64_t>(std::fabs(s[coordinate + 2] - s[coordinate]) / (high - low) * 0x1p20);
+  return sum;
+}
 
 int dominant_axis(Vec3 n) {
   const double x = std::fabs(n.x), y = std::fabs(n.y), z = std::fabs(n.z);
@@ -58,6 +76,15 @@ Contours contours_of(const CellComplex& complex, const Ground& ground, const Cel
 
 SectionRows::SectionRows(int dropped_axis, std::span<const Segment> contour) : axis_(dropped_axis) {
   if (contour.empty()) return;
+  const std::uint64_t crowd = crowd_along(contour, 1);
+  turned_ = crowd > kCrowd << 20U && crowd > kFarFewer * crowd_along(contour, 0);
+  std::vector<Segment> turned;
+  if (turned_)
+    for (const Segment& s : contour) turned.push_back({s[1], s[0], s[3], s[2]});
+  fill(turned_ ? turned : contour);
+}
+
+void SectionRows::fill(std::span<const Segment> contour) {
   low_ = high_ = contour[0][1];
   for (const Segment& s : contour) {
     low_ = std::min({low_, s[1], s[3]});
@@ -100,6 +127,7 @@ bool SectionRows::contains(Vec3 p) const {
 }
 
 bool SectionRows::contains(double u, double v) const {
+  if (turned_) std::swap(u, v);
   if (!(v >= low_ && v < high_)) return false;
   const std::size_t row = row_of(v);
   // Without branches: which pieces cross the line of p can't be predicted.

@@ -36,9 +36,11 @@ class SectionRows {
   };
 
   std::size_t row_of(double v) const;
+  void fill(std::span<const Segment> contour);
   void fill_rows(std::span<const Segment> contour);
 
   int axis_;
+  bool turned_ = false;               ///< rows go along the second coordinate
   std::vector<TwoPieces> pieces_;     ///< row by row
   std::vector<std::uint32_t> begin_;  ///< of each row in pieces_; one more at the end
   std::size_t rows_ = 0;

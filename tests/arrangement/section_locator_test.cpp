@@ -158,6 +158,37 @@ TEST_CASE("conflicts are the pairs that share a point which is no end of both") 
   }
 }
 
+TEST_CASE("flat sections, whose walls are all at each level: the same answers along either axis") {
+  for (const LatticePlane& plane : planes())
+    for (const bool along_v : {false, true}) {
+      CAPTURE(along_v);
+      // A zigzag over a straight side, and walls across it that conflict with all in their way.
+      constexpr std::int64_t kLength = 60;
+      Polygon zigzag;
+      for (std::int64_t i = 0; i <= kLength; ++i) zigzag.corners.push_back({i, 4 + 4 * (i % 2)});
+      zigzag.corners.push_back({kLength, 0});
+      zigzag.corners.push_back({0, 0});
+      if (along_v)
+        for (auto& [u, v] : zigzag.corners) std::swap(u, v);
+      zigzag.close(plane);
+      const SectionLocator locator(plane, zigzag.points, zigzag.walls);
+      for (std::int64_t i = -1; i <= kLength + 1; ++i)
+        for (std::int64_t k = -1; k <= 9; ++k) {
+          const std::array<std::int64_t, 2> p = along_v ? std::array{k, i} : std::array{i, k};
+          CHECK(locator.locate(at(plane, p[0], p[1])) == brute_force(zigzag, p));
+        }
+      for (std::uint32_t w = 0; w < zigzag.walls.size(); ++w) CHECK(locator.inside_left(w) == along_v);
+      CHECK(locator.conflicts().empty());
+      const auto last = static_cast<std::uint32_t>(zigzag.points.size());
+      const std::int64_t level = 6;
+      for (const std::int64_t end : {std::int64_t{-1}, kLength + 1})
+        zigzag.points.push_back(along_v ? at(plane, level, end) : at(plane, end, level));
+      zigzag.walls.push_back({last, last + 1});
+      CHECK(SectionLocator(plane, zigzag.points, zigzag.walls).conflicts().size() == kLength + 0U);
+      CHECK(SectionLocator(plane, zigzag.points, zigzag.walls).near_touches(0.5).empty());
+    }
+}
+
 TEST_CASE("a plane without contours has nothing inside") {
   const LatticePlane plane = make_axis_plane(2, 5);
   const SectionLocator locator(plane, {}, {});

@@ -141,6 +141,45 @@ TEST_CASE("long contours, each axis dropped: even-odd along the other way") {
   }
 }
 
+TEST_CASE("flat contours, whose pieces all cross each row: even-odd along the flat way, within rounding") {
+  for (std::uint32_t seed = 0; seed < 20; ++seed) {
+    CAPTURE(seed);
+    std::mt19937 random(seed);
+    const auto uniform = [&] { return static_cast<double>(random()) / 4294967296.0; };
+    // A zigzag along u, back along its lower side; every other time along v.
+    const bool along_v = seed % 2 == 1;
+    const std::uint32_t n = seed < 10 ? 1000 : 60;
+    const double flat = 1e-5;
+    std::vector<std::array<double, 2>> at{{1, 0}, {0, 0}};
+    for (std::uint32_t i = 0; i <= n; ++i)
+      at.push_back({static_cast<double>(i) / n, flat * (0.2 + 0.8 * uniform() * (i % 2))});
+    std::vector<SectionRows::Segment> contour;
+    for (std::size_t i = 0; i < at.size(); ++i) {
+      const auto &a = at[i], &b = at[(i + 1) % at.size()];
+      contour.push_back(along_v ? SectionRows::Segment{a[1], a[0], b[1], b[0]}
+                                : SectionRows::Segment{a[0], a[1], b[0], b[1]});
+    }
+    const SectionRows rows(2, contour);
+    int inside_count = 0;
+    for (int i = 0; i < 500; ++i) {
+      const double x = 1.2 * uniform() - 0.1, y = flat * (1.4 * uniform() - 0.2);
+      bool inside = false, near = false;  // along x = const, upwards
+      for (std::size_t k = 0; k < at.size(); ++k) {
+        const auto &a = at[k], &b = at[(k + 1) % at.size()];
+        if ((a[0] <= x) == (b[0] <= x)) continue;
+        const double height = a[1] + (x - a[0]) / (b[0] - a[0]) * (b[1] - a[1]);
+        inside ^= y < height;
+        near |= std::fabs(y - height) < 1e-9 * flat;
+      }
+      if (near) continue;
+      CHECK((along_v ? rows.contains(y, x) : rows.contains(x, y)) == inside);
+      inside_count += inside ? 1 : 0;
+    }
+    CHECK(inside_count > 50);
+    CHECK(inside_count < 450);
+  }
+}
+
 TEST_CASE("no section has no inside") {
   CHECK(SectionRows(2, {}).empty());
   CHECK_FALSE(SectionRows(2, {}).contains({0, 0, 0}));
