@@ -11,29 +11,50 @@ FaceSplitter::FaceSplitter(const SectionGraph& graph, const Arrangement& arrange
                            std::vector<LatticePoint>& points)
     : plane_(graph.planes[plane]), face_(graph, arrangement, face), walls_(walls), points_(&points) {}
 
+/// New points are asked one by one until there are so many.
+constexpr std::uint32_t kFewPoints = 64;
+
+/// Trees of all points: new ones come into one with those that are no more than they.
+void FaceSplitter::plant() {
+  const auto end = static_cast<std::uint32_t>(points_->size());
+  std::uint32_t begin = groves_.empty() ? 0 : groves_.back().end;
+  if (end - begin < kFewPoints) return;
+  for (; !groves_.empty() && begin - groves_.back().begin <= end - begin; groves_.pop_back())
+    begin = groves_.back().begin;
+  std::vector<Bounds> boxes(end - begin);
+  for (std::uint32_t v = begin; v < end; ++v) boxes[v - begin].add(real((*points_)[v]));
+  groves_.push_back({begin, end, BoxTree(boxes)});
+}
+
+/// visit(v) for all of those in the closed box.
+template <class Visit>
+void FaceSplitter::for_points_in(const Bounds& box, Visit&& visit) const {
+  for (const Grove& grove : groves_)
+    grove.tree.for_overlaps(box, [&](std::uint32_t i) { visit(grove.begin + i); });
+  for (std::uint32_t v = groves_.empty() ? 0 : groves_.back().end; v < points_->size(); ++v) {
+    const Vec3 p = real((*points_)[v]);
+    if (overlap(box, {p, p})) visit(v);
+  }
+}
+
 /// No vertex in the triangle a, b, c but its corners: replacing ab by ac, cb then crosses no contour.
 bool FaceSplitter::sweeps_nothing(std::uint32_t a, std::uint32_t b, const LatticePoint& c) const {
   const LatticePoint &p = (*points_)[a], &q = (*points_)[b];
   const int turn = orient2d(plane_, p, q, c);
-  const auto outside_box = [&](const LatticePoint& v) {
-    for (int k = 0; k < 3; ++k) {
-      const auto [low, high] = std::minmax({p[k], q[k], c[k]});
-      if (v[k] < low || v[k] > high) return true;
-    }
-    return false;
-  };
-  for (std::uint32_t v = 0; v < points_->size(); ++v) {
+  Bounds box;
+  for (const LatticePoint* corner : {&p, &q, &c}) box.add(real(*corner));
+  bool nothing = true;
+  for_points_in(box, [&](std::uint32_t v) {
+    if (!nothing || v == a || v == b) return;
     const LatticePoint& x = (*points_)[v];
-    if (v == a || v == b || outside_box(x)) continue;
-    if (equal(x, c)) return false;
-    if (turn != 0 && orient2d(plane_, p, q, x) * turn >= 0 && orient2d(plane_, q, c, x) * turn >= 0 &&
-        orient2d(plane_, c, p, x) * turn >= 0)
-      return false;
-  }
-  return true;
+    nothing = !equal(x, c) && (turn == 0 || orient2d(plane_, p, q, x) * turn < 0 ||
+                               orient2d(plane_, q, c, x) * turn < 0 || orient2d(plane_, c, p, x) * turn < 0);
+  });
+  return nothing;
 }
 
 std::uint32_t FaceSplitter::operator()(const SplitRequest& request) {
+  plant();
   const LatticePoint from = (*points_)[request.from], to = (*points_)[request.to];
   const Vec3 target = real(from) + request.t * (real(to) - real(from));
   const auto [u0, v0] = nearest_coordinates(plane_, target);
