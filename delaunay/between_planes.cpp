@@ -218,18 +218,19 @@ std::uint32_t Builder::first_apex() const {
   return tet[3];
 }
 
-/// Some neighbour of b that is beyond the facet; kNone if there is none.
+/// Some neighbour of b that is beyond the facet; kNone if there is none. Both ways at once, as it is not far
+/// from the last one as a rule, and b may have thousands.
 std::uint32_t Builder::spoke_beyond(const Facet& facet, std::uint32_t b) {
   const std::uint32_t start = spoke_[b];
-  std::uint32_t h = start;
+  const auto is_beyond = [&](std::uint32_t h) { return h != kNone && facet.is_beyond(second_.target(h)); };
+  if (is_beyond(start)) return start;
+  std::uint32_t left = start, right = start;
   do {
-    if (facet.is_beyond(second_.target(h))) return h;
-    h = second_.turned_left(h);
-    ++turns_;
-  } while (h != kNone && h != start);
-  if (h == start) return kNone;
-  for (h = second_.turned_right(start); h != kNone; h = second_.turned_right(h), ++turns_)
-    if (facet.is_beyond(second_.target(h))) return h;
+    if (left != kNone) left = second_.turned_left(left), ++turns_;
+    if (is_beyond(left)) return left;
+    if (right != kNone) right = second_.turned_right(right), ++turns_;
+    if (is_beyond(right)) return right;
+  } while (left != right);  // at the border both are none, else they come back to the start
   return kNone;
 }
 

@@ -82,13 +82,14 @@ void CellBuilder::number_faces() {
 }
 
 GroundedTable CellBuilder::fill_table() const {
-  GroundedTable table(cell_.vertices.size(), triangle_base_.back());
+  std::vector<GroundedTable::Key> keys;
+  keys.reserve(triangle_base_.back());
   for (std::size_t f = 0; f < faces_.size(); ++f) {
     const std::vector<std::uint32_t>& number = numbers_[f];
     for (const auto& v : faces_[f].triangulation->triangles)
-      table.add({number[v[0]], number[v[1]], number[v[2]]});
+      keys.push_back({number[v[0]], number[v[1]], number[v[2]]});
   }
-  return table;
+  return {cell_.vertices.size(), keys};
 }
 
 /// Between vertices of a face without triangles: there is no such edge in a face's triangulation.

@@ -221,6 +221,17 @@ TEST_CASE("two planes: contours as circles, whose centres have many neighbours")
   }
 }
 
+TEST_CASE("two planes: a sector over a sector, with its hub first or last") {
+  for (const double turn : {1.0, -1.0}) {
+    Coefficients sector{{0, 0}};
+    for (int i = 0; i <= 3000; ++i) {
+      const double angle = 2.4 * i / 3000 - 1.2;
+      sector.push_back({std::llround(turn * 1e8 * std::cos(angle)), std::llround(1e8 * std::sin(angle))});
+    }
+    check_scene(scene({make_axis_plane(2, 0), make_axis_plane(2, 10000000)}, {sector, sector}));
+  }
+}
+
 TEST_CASE("two planes: a hub that is turned around for each of many triangles is left to insertion") {
   // All triangles of a cluster have the hub over them as apex. They are visited one beside the other, and
   // their edges look into all directions.
