@@ -36,7 +36,13 @@ class BoxTree {
   /// visit(item) for every item whose box meets the closed box `query`.
   template <class Visit>
   void for_overlaps(const Bounds& query, Visit&& visit) const {
-    if (!empty()) overlaps(0, query, visit);
+    for_admitted([&](const Bounds& box) { return overlap(box, query); }, visit);
+  }
+
+  /// visit(item) for every item whose box is admitted. REQUIRES: a box around one that is admitted is.
+  template <class Admits, class Visit>
+  void for_admitted(Admits&& admits, Visit&& visit) const {
+    if (!empty()) admitted(0, admits, visit);
   }
 
   /// visit(i, j) once for every pair of items whose boxes meet.
@@ -68,17 +74,17 @@ class BoxTree {
   std::uint32_t split(std::uint32_t begin, std::uint32_t end);
   std::uint32_t build(std::uint32_t begin, std::uint32_t end);
 
-  template <class Visit>
-  void overlaps(std::uint32_t at, const Bounds& query, Visit& visit) const {
+  template <class Admits, class Visit>
+  void admitted(std::uint32_t at, Admits& admits, Visit& visit) const {
     const Node& node = nodes_[at];
-    if (!overlap(node.box, query)) return;
+    if (!admits(node.box)) return;
     if (node.right != 0) {
-      overlaps(at + 1, query, visit);
-      overlaps(node.right, query, visit);
+      admitted(at + 1, admits, visit);
+      admitted(node.right, admits, visit);
       return;
     }
     for (std::uint32_t i = node.begin; i < node.end; ++i)
-      if (overlap(items_[i].box, query)) visit(items_[i].id);
+      if (admits(items_[i].box)) visit(items_[i].id);
   }
 
   template <class Visit>

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "../geom/box_tree.h"
 #include "../geom/triangle_meeting.h"
+#include "close_pairs.h"
 
 namespace crossloft {
 namespace {
@@ -25,14 +25,13 @@ int align(Triple& a, Triple& b) {
 
 }  // namespace
 
-std::vector<std::array<std::uint32_t, 2>> find_contacts(const Surface& surface) {
+std::vector<std::array<std::uint32_t, 2>> find_contacts(const Surface& surface, const Context& context) {
   const auto corners = [&](const Triple& t) {
     return Corners{surface.points[t[0]], surface.points[t[1]], surface.points[t[2]]};
   };
-  std::vector<Bounds> boxes;
-  for (const Triple& t : surface.triangles) boxes.push_back(bounds_of(corners(t)));
   std::vector<std::array<std::uint32_t, 2>> found;
-  BoxTree(boxes).for_pairs([&](std::uint32_t i, std::uint32_t j) {
+  const std::vector<std::uint8_t> all(surface.triangles.size(), 1);
+  for_close_pairs(surface, all, SameCorner::index, context.cancel, [&](std::uint32_t i, std::uint32_t j) {
     Triple a = surface.triangles[i], b = surface.triangles[j];
     const int shared = align(a, b);
     if (shared == 3 || touch(corners(a), corners(b), shared))

@@ -198,7 +198,8 @@ void Pipeline::separate(const GluedSurface& glued) {
   take(separate_copies(result_.surface, glued.vertices, Anywhere{}, effort, context_));
   if (context_.cancelled()) return;
   tell_of_crowded();
-  const auto contacts = find_contacts(result_.surface);
+  const auto contacts = find_contacts(result_.surface, context_);
+  if (context_.cancelled()) return;
   report.contacts = contacts.size();
   if (window_) window_->touching_slab = slabs_of(last.touching);
   if (window_)

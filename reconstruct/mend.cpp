@@ -8,6 +8,7 @@
 
 #include "../geom/box_tree.h"
 #include "../geom/triangle_meeting.h"
+#include "close_pairs.h"
 #include "lists.h"
 #include "merge_places.h"
 
@@ -86,22 +87,16 @@ class Mender {
     return meeting(corners(s), corners(t)) != Meeting::none;
   }
 
-  /// Pairs with a suspect triangle that cross or overlap, ascending.
+  /// Pairs with a suspect triangle that cross or overlap, ascending; some of them if cancelled.
   std::vector<Pair> find_bad() const {
-    std::vector<std::uint32_t> suspects;
-    std::vector<Bounds> boxes;
-    for (std::uint32_t t = 0; t < surface_.triangles.size(); ++t)
-      if (is_suspect(t)) suspects.push_back(t), boxes.push_back(bounds_of(corners(t)));
-    const BoxTree tree(boxes);
+    std::vector<std::uint8_t> suspect;
+    for (std::uint32_t t = 0; t < surface_.triangles.size(); ++t) suspect.push_back(is_suspect(t) ? 1 : 0);
     std::vector<Pair> bad;
-    const auto look_at = [&](std::uint32_t s, std::uint32_t t) {
-      ++asked_;
-      if (is_bad(s, t)) bad.push_back({std::min(s, t), std::max(s, t)});
-    };
-    tree.for_pairs([&](std::uint32_t i, std::uint32_t j) { look_at(suspects[i], suspects[j]); });
-    for (std::uint32_t t = 0; t < surface_.triangles.size(); ++t)
-      if (!is_suspect(t))
-        tree.for_overlaps(bounds_of(corners(t)), [&](std::uint32_t i) { look_at(suspects[i], t); });
+    for_close_pairs(surface_, suspect, SameCorner::place, context_.cancel,
+                    [&](std::uint32_t s, std::uint32_t t) {
+                      ++asked_;
+                      if (is_bad(s, t)) bad.push_back({std::min(s, t), std::max(s, t)});
+                    });
     std::sort(bad.begin(), bad.end());
     return bad;
   }

@@ -2,6 +2,8 @@
 
 #include "../../reconstruct/contacts.h"
 
+#include <atomic>
+
 #include "../../inspect/check.h"
 #include "../inspect/shapes.h"
 #include "shown.h"
@@ -21,6 +23,16 @@ TEST_CASE("a closed surface has no contacts with itself; another one at a corner
   CHECK(with({4, 0, 0}, {9, 0, 0}, {5, 4, 0}, {5, 0, 4}).size() == 9);  // three triangles at either tip
   CHECK_FALSE(with({1, 1, 0}, {0, 0, -4}, {4, 0, -4}, {0, 4, -4}).empty());
   CHECK_FALSE(with({0, 0, 0}, {4, 0, 0}, {0, -4, 0}, {0, 0, -4}).empty());
+}
+
+TEST_CASE("a raised flag ends the search for contacts") {
+  Surface both = cube();
+  append(both, cube(0.5, 1.5));
+  CHECK_FALSE(find_contacts(both).empty());
+  const std::atomic<bool> flag{true};
+  Context context;
+  context.cancel = &flag;
+  CHECK(find_contacts(both, context).empty());
 }
 
 TEST_CASE("separation on request leaves no contact in the figures, and moves no further than asked") {

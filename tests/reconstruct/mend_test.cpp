@@ -3,6 +3,7 @@
 #include "../../reconstruct/mend.h"
 
 #include <algorithm>
+#include <atomic>
 
 #include "../../geom/triangle_meeting.h"
 #include "../../inspect/check.h"
@@ -68,6 +69,20 @@ TEST_CASE("a tip that rounding pushed through a facet goes back") {
   CHECK(check_surface(surface).crossings == 0);
   for (std::uint32_t v = 0; v < before.points.size(); ++v)
     if (v != 4) CHECK(surface.points[v] == before.points[v]);
+}
+
+TEST_CASE("a raised flag ends the search for crossings") {
+  Surface surface = cube();
+  append(surface, cube(0.5, 1.5));
+  const std::vector<std::uint8_t> rounded(surface.points.size(), 1);
+  const std::vector<SurfaceVertex> origins = own_origins(surface);
+  const std::atomic<bool> flag{true};
+  Context context;
+  context.cancel = &flag;
+  const Surface before = surface;
+  CHECK(mend_crossings(surface, origins, {rounded, {}}, context).found == 0);
+  CHECK(surface.points == before.points);
+  CHECK(mend_crossings(surface, origins, {rounded, {}}).found > 0);
 }
 
 TEST_CASE("what lies too deep for short moves is merged") {
