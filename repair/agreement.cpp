@@ -430,13 +430,6 @@ std::vector<std::uint32_t> vertices_from(const PlaneSection& s, std::uint32_t fi
   return order;
 }
 
-std::vector<std::vector<std::uint32_t>> walls_by_vertex(const PlaneSection& s) {
-  std::vector<std::vector<std::uint32_t>> walls(s.vertices.size());
-  for (std::uint32_t e = 0; e < s.edges.size(); ++e)
-    walls[s.edges[e].a].push_back(e), walls[s.edges[e].b].push_back(e);
-  return walls;
-}
-
 std::uint32_t other_end(const ContourEdge& e, std::uint32_t v) { return e.a == v ? e.b : e.a; }
 
 /// Off its line by a few steps of the grid, to the side of a neighbour that is not on it: a contour that
@@ -464,7 +457,7 @@ bool Agreement::lift(std::uint32_t p, Vec3 before, Vec3& at, Vec3 after) const {
 /// would take them for crossings. They go if the contour hardly moves, and off the line if not.
 bool Agreement::remove_touches(std::uint32_t p) {
   PlaneSection& s = plane(p).section;
-  auto walls = walls_by_vertex(s);
+  auto walls = edges_by_vertex(s);
   const double least = setting_.least;
   bool any = false;
   for (const std::uint32_t v : vertices_from(s, plane(p).given)) {
@@ -496,7 +489,7 @@ bool Agreement::remove_all_touches() {
 /// New vertices on a line that no other section is cut at there, where contours touch each other or the line.
 void Agreement::tell_touches(std::uint32_t p) {
   const PlaneSection& s = plane(p).section;
-  const auto walls = walls_by_vertex(s);
+  const auto walls = edges_by_vertex(s);
   for (const std::uint32_t v : vertices_from(s, plane(p).given)) {
     const bool pinch = walls[v].size() > 2 && lonely_line(p, s.vertices[v]) != kNone;
     const auto neighbour = [&](std::size_t k) { return s.vertices[other_end(s.edges[walls[v][k]], v)]; };

@@ -25,10 +25,10 @@ class Places {
     return chart_.to_space(at);
   }
 
-  /// `wish` if that vertex is where it should be, else the vertex made for this point.
+  /// `wish` if that vertex is where it should be and none is there yet, else the vertex for this point.
   std::uint32_t vertex(PlanarPoint at, std::uint32_t wish) {
     const Vec3 p = position(at);
-    if (wish != kNone && section_.vertices[wish] == p) return wish;
+    if (wish != kNone && section_.vertices[wish] == p) return made_.try_emplace(at, wish).first->second;
     const auto [entry, fresh] = made_.try_emplace(at, static_cast<std::uint32_t>(section_.vertices.size()));
     if (fresh) section_.vertices.push_back(p);
     return entry->second;
@@ -181,6 +181,23 @@ std::vector<ContourEdge> rebuilt_edges(const Layers& layers, const std::vector<O
 }
 
 }  // namespace
+
+std::vector<std::vector<std::uint32_t>> edges_by_vertex(const PlaneSection& section) {
+  std::vector<std::vector<std::uint32_t>> edges(section.vertices.size());
+  for (std::uint32_t e = 0; e < section.edges.size(); ++e) {
+    edges[section.edges[e].a].push_back(e);
+    edges[section.edges[e].b].push_back(e);
+  }
+  return edges;
+}
+
+void join_equal_vertices(PlaneSection& section) {
+  std::map<Vec3, std::uint32_t> first;
+  std::vector<std::uint32_t> same;
+  for (std::uint32_t v = 0; v < section.vertices.size(); ++v)
+    same.push_back(first.try_emplace(section.vertices[v], v).first->second);
+  for (ContourEdge& e : section.edges) e.a = same[e.a], e.b = same[e.b];
+}
 
 SectionEdit edit_section(PlaneSection& section, const PlaneChart& chart, std::span<const Patch> patches,
                          std::span<const PlaneSection* const> others, const Context& context) {

@@ -29,6 +29,12 @@ struct SectionEdit {
 /// True iff exactly one side of the edge is outside.
 inline bool is_wall(const ContourEdge& e) { return (e.material_a == 0) != (e.material_b == 0); }
 
+/// By vertex: the edges that end there, those from a vertex to itself twice.
+std::vector<std::vector<std::uint32_t>> edges_by_vertex(const PlaneSection& section);
+
+/// Edges that name vertices of equal coordinates name the first of them.
+void join_equal_vertices(PlaneSection& section);
+
 /// Replaces the section by (section or added) and not removed, each by even-odd. `others` are sections of the
 /// same plane to be united with it. Edges that stay whole keep their place, ends and materials; parts of
 /// edges take over the material; new edges get that of the nearest wall and the contour kNone. Borders

@@ -143,6 +143,22 @@ TEST_CASE("a raised flag ends the rounding, and an edit changes nothing then") {
   CHECK(edit_section(section, chart, {&patch, 1}).changed);
 }
 
+// A vertex that the section has there was taken by its own edge, and the patch made another one.
+TEST_CASE("edges of a section and of a patch end at one vertex") {
+  PlaneSection section = plane_at({0, 0, 1}, {0, 0, 0});
+  add_contour(section, square(0, 0, 0, 1));
+  const std::vector<Patch> patches{
+      {LayerKind::removed, {{1, 1, 0}, {-0.5, 2, 0}, {-0.5, 0, 0}}, std::vector<bool>(3, true)},
+      {LayerKind::removed, {{2, 0.2, 0}, {0.5, 0, 0}, {2, -0.2, 0}}, std::vector<bool>(3, false)}};
+  const PlaneChart chart({0, 0, 1}, 0, {0, 0, 0}, 4);
+  REQUIRE(edit_section(section, chart, patches).changed);
+  std::set<Vec3> places;
+  std::set<std::uint32_t> vertices;
+  for (const ContourEdge& e : section.edges)
+    for (const std::uint32_t v : {e.a, e.b}) vertices.insert(v), places.insert(section.vertices[v]);
+  CHECK(vertices.size() == places.size());
+}
+
 TEST_CASE("an overlay is inside where its layers say so") {
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
     CAPTURE(seed);
