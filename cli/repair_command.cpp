@@ -42,8 +42,10 @@ ExitCode run(const Arguments& arguments) {
 
 CLI::Option* add_repair_limit(CLI::App& command, const char* name, RepairOptions& options) {
   return command
-      .add_option(name, options.limit,
-                  "nothing moves further; what would have to is left and listed; a fraction of the diagonal")
+      .add_option(
+          name, options.limit,
+          "nothing that stays moves further, it caps all tolerances; what would have to is left and listed; "
+          "a fraction of the diagonal")
       ->capture_default_str()
       ->check(number_in(0.0, 1.0));
 }
@@ -56,7 +58,7 @@ void add_repair_details(CLI::App& command, RepairOptions& o) {
                 "vertices further from their plane are moved onto it");
   add_tolerance("--same-plane", o.same_plane, "planes nearer than this over the data become one");
   add_tolerance("--close-gap", o.close_gap, "ends of open contours nearer than this are joined");
-  add_tolerance("--repeated", o.repeated, "neighbours on a contour nearer than this are one vertex");
+  add_tolerance("--repeated", o.repeated, "neighbours on a contour nearer than this become one vertex");
   add_tolerance("--spike", o.spike, "a vertex where the contour turns back within this width goes");
   add_tolerance("--tiny-loop", o.tiny_loop, "loops in a box of this size go");
   add_tolerance("--collinear", o.collinear, "a vertex that bends a straight run by no more goes");

@@ -37,7 +37,7 @@ std::map<std::uint32_t, Loop> loops_of(const PlaneSection& p, DisjointSets& part
 }
 
 bool is_tiny(const Work& work, const Loop& loop) {
-  return loop.box.diagonal() <= work.options.tiny_loop * work.diagonal;
+  return loop.box.diagonal() <= work.capped(work.options.tiny_loop * work.diagonal);
 }
 
 /// True iff the section has a loop that means something.
@@ -78,34 +78,33 @@ double bend(Vec3 a, Vec3 b, Vec3 c) {
   return along > 0 && along < length2 ? norm(cross(e, d)) / std::sqrt(length2) : HUGE_VAL;
 }
 
-/// Vertices with two walls, each with its walls.
-std::vector<std::vector<std::uint32_t>> walls_by_vertex(const PlaneSection& p) {
-  std::vector<std::vector<std::uint32_t>> walls(p.vertices.size());
-  for (std::uint32_t e = 0; e < p.edges.size(); ++e) {
-    walls[p.edges[e].a].push_back(e);
-    walls[p.edges[e].b].push_back(e);
-  }
-  return walls;
+/// True iff one of these edges of v leads to w.
+bool leads_to(const PlaneSection& p, const std::vector<std::uint32_t>& edges, std::uint32_t v,
+              std::uint32_t w) {
+  return std::any_of(edges.begin(), edges.end(), [&](std::uint32_t e) {
+    return (p.edges[e].a == v && p.edges[e].b == w) || (p.edges[e].a == w && p.edges[e].b == v);
+  });
 }
 
 /// Vertices that bend a straight run by a hair, taken out in lexicographic order, never two neighbours in one
-/// pass: the run moves by less than the tolerance.
+/// pass: the run moves by less than the tolerance. Not of a triangle, which would be gone.
 bool straighten_once(Work& work, WorkPlane& plane, std::map<std::uint32_t, RepairChange>& changes) {
   PlaneSection& p = plane.section;
-  const auto walls = walls_by_vertex(p);
+  const auto walls = edges_by_vertex(p);
   std::vector<std::uint32_t> order;
   for (std::uint32_t v = 0; v < p.vertices.size(); ++v)
     if (walls[v].size() == 2 && is_wall(p.edges[walls[v][0]]) && is_wall(p.edges[walls[v][1]]))
       order.push_back(v);
   std::sort(order.begin(), order.end(), [&](auto v, auto w) { return p.vertices[v] < p.vertices[w]; });
   std::vector<bool> settled(p.vertices.size(), false);
+  const double most = work.capped(work.options.collinear * work.diagonal);
   bool any = false;
   for (const std::uint32_t v : order) {
     ContourEdge &e = p.edges[walls[v][0]], &f = p.edges[walls[v][1]];
     const std::uint32_t u = e.a == v ? e.b : e.a, w = f.a == v ? f.b : f.a;
-    if (settled[v] || settled[u] || settled[w] || u == w) continue;
+    if (settled[v] || settled[u] || settled[w] || u == w || leads_to(p, walls[u], u, w)) continue;
     const double off = bend(p.vertices[u], p.vertices[v], p.vertices[w]);
-    if (off <= kOnLine * work.diagonal || off > work.options.collinear * work.diagonal) continue;
+    if (off <= kOnLine * work.diagonal || off > most) continue;
     if (on_another_plane(work, plane, p.vertices[v])) continue;
     settled[u] = settled[v] = settled[w] = any = true;
     RepairChange& change = changes[e.contour];
@@ -132,22 +131,30 @@ void straighten(Work& work, WorkPlane& plane) {
   }
 }
 
-void drop_flat(Work& work, WorkPlane& plane, std::uint32_t contour) {
+/// `contours` in ascending order.
+void drop_flat(Work& work, WorkPlane& plane, const std::vector<std::uint32_t>& contours) {
+  struct Flat {
+    std::uint32_t vertex = kNone, edges = 0;
+  };
   PlaneSection& p = plane.section;
-  std::uint32_t vertex = kNone;
-  for (const ContourEdge& e : p.edges)
-    if (e.contour == contour) vertex = std::min({vertex, e.a, e.b});
-  const std::size_t edges = std::erase_if(p.edges, [&](const auto& e) { return e.contour == contour; });
-  work.note({RepairKind::no_area, plane.source, contour, vertex, static_cast<std::uint32_t>(edges), 0,
-             p.vertices[vertex], "left out, it encloses no area"});
-  plane.edited = true;
+  std::map<std::uint32_t, Flat> flat;
+  std::erase_if(p.edges, [&](const ContourEdge& e) {
+    if (!std::binary_search(contours.begin(), contours.end(), e.contour)) return false;
+    Flat& f = flat[e.contour];
+    f.vertex = std::min({f.vertex, e.a, e.b});
+    ++f.edges;
+    return true;
+  });
+  for (const auto& [contour, f] : flat)
+    work.note({RepairKind::no_area, plane.source, contour, f.vertex, f.edges, 0, p.vertices[f.vertex],
+               "left out, it encloses no area"});
+  plane.edited |= !flat.empty();
 }
 
 }  // namespace
 
 void drop_flat_contours(Work& work, const std::vector<std::vector<std::uint32_t>>& flat) {
-  for (std::size_t p = 0; p < flat.size(); ++p)
-    for (const std::uint32_t contour : flat[p]) drop_flat(work, work.planes[p], contour);
+  for (std::size_t p = 0; p < flat.size(); ++p) drop_flat(work, work.planes[p], flat[p]);
 }
 
 void repair_crossings(Work& work) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <tuple>
 
 #include "../geom/unit_plane.h"
@@ -16,6 +17,10 @@ namespace {
 
 /// A plane with the other sign of D is taken if it is this much nearer to its vertices.
 constexpr double kClearlyBetter = 0.1;
+
+/// Turned to its vertices, a plane may not move further over the data than this many times their distance
+/// from it. A small section fits any plane up to its noise, a triangle even exactly.
+constexpr double kMostLeverage = 8;
 
 struct Spread {
   double low = 0, high = 0;  ///< of normal.x over the vertices
@@ -107,15 +112,54 @@ void replace_plane(PlaneSection& p, const UnitPlane& plane) {
   p.offset = side * plane.offset;
 }
 
+UnitPlane unit_of(const WorkPlane& plane) { return {plane.normal, plane.offset}; }
+
+/// How far two planes are apart at most over the data.
+double distance_over_data(const Work& work, const UnitPlane& a, const UnitPlane& b) {
+  const double side = dot(a.normal, b.normal) < 0 ? -1 : 1;
+  const Vec3 difference = a.normal - side * b.normal;
+  return std::fabs(dot(difference, work.middle) + a.offset - side * b.offset) +
+         norm(difference) * work.diagonal / 2;
+}
+
+/// Turns the plane to its vertices if that halves their spread, and if they are spread wide enough to tell.
 void fit(Work& work, WorkPlane& plane) {
   const std::vector<Vec3> vertices = used_vertices(plane.section);
   const Vec3 normal = fitted_normal(plane, vertices);
   const Spread before = spread_along(plane.normal, vertices), after = spread_along(normal, vertices);
   if (!(after.high - after.low < (before.high - before.low) / 2)) return;
-  replace_plane(plane.section, {normal, -(after.low / 2 + after.high / 2)});
+  const UnitPlane fitted{normal, -(after.low / 2 + after.high / 2)};
+  const double off = (before.high - before.low) / 2;
+  if (distance_over_data(work, unit_of(plane), fitted) > work.capped(kMostLeverage * off)) return;
+  replace_plane(plane.section, fitted);
   settle_plane(plane);
-  work.note({RepairKind::plane_fitted, plane.source, kNone, kNone, 1, (before.high - before.low) / 2,
-             vertices[0], "the plane was turned to its vertices"});
+  work.note({RepairKind::plane_fitted, plane.source, kNone, kNone, 1, off, vertices[0],
+             "the plane was turned to its vertices"});
+}
+
+/// D of the file, for the normal of the work plane.
+double offset_in_file(const WorkPlane& plane) {
+  const UnitPlane file = unit_plane(plane.section.normal, plane.section.offset);
+  return dot(file.normal, plane.normal) < 0 ? -file.offset : file.offset;
+}
+
+/// D where more than half of the vertices are, if there is one.
+std::optional<double> offset_of_most(const WorkPlane& plane, double tolerance) {
+  std::vector<double> heights;
+  for (const Vec3& v : used_vertices(plane.section)) heights.push_back(dot(plane.normal, v));
+  std::sort(heights.begin(), heights.end());
+  const double median = heights[(heights.size() - 1) / 2];
+  const auto near = std::count_if(heights.begin(), heights.end(),
+                                  [&](double h) { return std::fabs(h - median) <= tolerance; });
+  if (2 * static_cast<std::size_t>(near) <= heights.size()) return std::nullopt;
+  return -median;
+}
+
+/// Gives the file the D that the vertices are moved to.
+void tell_shifted(Work& work, WorkPlane& plane, double before) {
+  replace_plane(plane.section, unit_of(plane));
+  work.note({RepairKind::plane_fitted, plane.source, kNone, kNone, 1, std::fabs(plane.offset - before),
+             used_vertices(plane.section)[0], "the plane was shifted to its vertices"});
 }
 
 /// What was moved of one contour.
@@ -131,8 +175,11 @@ void tell_moved(Work& work, const WorkPlane& plane, std::uint32_t contour, const
                  (within ? " moved onto the plane" : " further off the plane than the limit")});
 }
 
-void move_onto(Work& work, WorkPlane& plane) {
+/// D stays as the file has it where that is as good.
+void move_onto(Work& work, WorkPlane& plane, double tolerance) {
   PlaneSection& p = plane.section;
+  const double in_file = offset_in_file(plane);
+  if (std::fabs(in_file - plane.offset) <= tolerance) plane.offset = in_file;
   std::map<std::uint32_t, Moved> moved, left;
   std::vector<bool> done(p.vertices.size(), false);
   for (const ContourEdge& e : p.edges)
@@ -147,22 +194,16 @@ void move_onto(Work& work, WorkPlane& plane) {
       ++m.count;
       if (within) p.vertices[v] = p.vertices[v] - height * plane.normal;
     }
-  replace_plane(p, {plane.normal, plane.offset});
+  if (!moved.empty() && in_file != plane.offset) tell_shifted(work, plane, in_file);
+  plane.torn = !left.empty();
   for (const auto& [contour, m] : moved) tell_moved(work, plane, contour, m, true);
   for (const auto& [contour, m] : left) tell_moved(work, plane, contour, m, false);
-}
-
-/// How far two planes are apart at most over the data.
-double distance_over_data(const Work& work, const WorkPlane& a, const WorkPlane& b) {
-  const double side = dot(a.normal, b.normal) < 0 ? -1 : 1;
-  const Vec3 difference = a.normal - side * b.normal;
-  return std::fabs(dot(difference, work.middle) + a.offset - side * b.offset) +
-         norm(difference) * work.diagonal / 2;
 }
 
 }  // namespace
 
 void settle_plane(WorkPlane& plane) {
+  if (plane.torn) return;
   const PlaneSection& p = plane.section;
   const UnitPlane unit = unit_plane(p.normal, p.offset);
   const double sign = unit.normal < Vec3{} ? -1 : 1;
@@ -180,8 +221,12 @@ void repair_planes(Work& work) {
     if (plane.section.edges.empty() || work.context.cancelled()) continue;
     settle_sign(work, plane);
     if (off_plane(plane) <= tolerance) continue;
-    fit(work, plane);
-    if (off_plane(plane) > tolerance) move_onto(work, plane);
+    // A few vertices beside a plane that the others are on don't turn it or drag it along.
+    if (const auto offset = offset_of_most(plane, tolerance))
+      plane.offset = *offset;
+    else
+      fit(work, plane);
+    if (off_plane(plane) > tolerance) move_onto(work, plane, tolerance);
     settle_plane(plane);
   }
 }
@@ -205,8 +250,12 @@ std::vector<WorkPlane*> in_canonical_order(Work& work) {
   return order;
 }
 
-void append(PlaneSection& to, const PlaneSection& from) {
+void append(WorkPlane& first, const PlaneSection& from, FileNumbers& numbers) {
+  PlaneSection& to = first.section;
   const auto shift = static_cast<std::uint32_t>(to.vertices.size());
+  numbers.vertices_begin = shift;
+  numbers.vertices_end = shift + static_cast<std::uint32_t>(from.vertices.size());
+  first.edited = true;
   to.vertices.insert(to.vertices.end(), from.vertices.begin(), from.vertices.end());
   for (ContourEdge e : from.edges) {
     e.a += shift, e.b += shift;
@@ -242,12 +291,26 @@ bool unite_groups(Work& work, const std::vector<WorkPlane*>& planes, const Plane
   return changed;
 }
 
+void move_into(Work& work, const WorkPlane& first, PlaneSection& twin) {
+  double& most = work.result.largest_displacement;
+  for (const Vec3& v : used_vertices(twin)) most = std::max(most, std::fabs(unit_of(first).height(v)));
+  for (Vec3& v : twin.vertices) v = v - unit_of(first).height(v) * first.normal;
+}
+
+/// Gives the contours of a twin numbers that the first plane does not have.
+void renumber_contours(WorkPlane& first, WorkPlane& twin) {
+  const std::uint32_t begin = first.numbers.back().contours_end;
+  first.numbers.push_back({twin.source, begin, begin + twin.numbers[0].contours_end, 0, 0});
+  for (ContourEdge& e : twin.section.edges)
+    if (e.contour != kNone) e.contour += begin;
+}
+
 /// The first plane gets the sections of its twins.
 void unite(Work& work, WorkPlane& first, const std::vector<Twin>& twins) {
   std::vector<WorkPlane*> planes{&first};
   for (const Twin& twin : twins) {
     planes.push_back(twin.plane);
-    for (Vec3& v : twin.plane->section.vertices) v = v - (dot(first.normal, v) + first.offset) * first.normal;
+    move_into(work, first, twin.plane->section);
   }
   std::vector<const PlaneSection*> sections;
   for (const WorkPlane* plane : planes) sections.push_back(&plane->section);
@@ -255,18 +318,17 @@ void unite(Work& work, WorkPlane& first, const std::vector<Twin>& twins) {
   for (std::size_t t = 0; t < twins.size(); ++t)
     tell_united(work, first, twins[t], records.group[t + 1] != 0 && !sections[t + 1]->edges.empty());
   for (const CoveredContour& c : records.covered) tell_covered(work, planes, c);
+  for (const Twin& twin : twins) renumber_contours(first, *twin.plane);
   first.edited |= unite_groups(work, planes, records);
   for (std::uint32_t s = 1; s < planes.size(); ++s)
-    if (records.group[s] == s && !sections[s]->edges.empty()) {
-      append(first.section, *sections[s]);
-      first.edited = true;
-    }
+    if (records.group[s] == s && !sections[s]->edges.empty()) append(first, *sections[s], first.numbers[s]);
+  join_equal_vertices(first.section);  // groups touch at points
 }
 
 }  // namespace
 
 void unite_planes(Work& work) {
-  const double tolerance = work.options.same_plane * work.diagonal;
+  const double tolerance = work.capped(work.options.same_plane * work.diagonal);
   const std::vector<WorkPlane*> order = in_canonical_order(work);
   std::vector<bool> gone(work.planes.size(), false);
   const auto number = [&](const WorkPlane* plane) {
@@ -276,7 +338,7 @@ void unite_planes(Work& work) {
     if (gone[number(order[i])] || work.context.cancelled()) continue;
     std::vector<Twin> twins;
     for (std::size_t j = i + 1; j < order.size(); ++j) {
-      const double apart = distance_over_data(work, *order[i], *order[j]);
+      const double apart = distance_over_data(work, unit_of(*order[i]), unit_of(*order[j]));
       if (gone[number(order[j])] || apart > tolerance) continue;
       gone[number(order[j])] = true;
       twins.push_back({order[j], apart});

@@ -14,6 +14,7 @@
 namespace crossloft {
 namespace {
 
+using repair_steps::FileNumbers;
 using repair_steps::Work;
 using repair_steps::WorkPlane;
 
@@ -41,6 +42,14 @@ Result<Done> check_input(const Sections& in, const RepairOptions& options) {
   return check_size(in);
 }
 
+/// What the numbers of its contours are below.
+std::uint32_t contours_in(const PlaneSection& p) {
+  std::uint32_t count = 0;
+  for (const ContourEdge& e : p.edges)
+    if (e.contour != kNone) count = std::max(count, e.contour + 1);
+  return count;
+}
+
 /// An open chain beside which all else is tiny is not where it should be, and says nothing of the size.
 Bounds box_of(const WallExtent& extent, const RepairOptions& options) {
   const double closed = extent.closed.diagonal();
@@ -63,16 +72,27 @@ bool moves_points(RepairKind kind) {
 void repair_planes_and_contours(Work& work) {
   const RepairOptions& o = work.options;
   if (o.planes) repair_steps::repair_planes(work);
+  for (WorkPlane& p : work.planes) join_equal_vertices(p.section);
   if (o.chains) repair_steps::repair_chains(work);
   if (o.planes) repair_steps::unite_planes(work);
   if (o.crossings) repair_steps::repair_crossings(work);
   if (o.loops) repair_steps::repair_loops(work);
 }
 
+/// What the pass before had to leave: the next one looks at all again.
+void forget_left(Work& work, std::size_t first) {
+  auto& changes = work.result.changes;
+  changes.erase(std::remove_if(changes.begin() + static_cast<std::ptrdiff_t>(first), changes.end(),
+                               [](const RepairChange& c) { return c.kind == RepairKind::left_as_it_is; }),
+                changes.end());
+}
+
 void agree(Work& work) {
   std::vector<PlaneSection> before;
   for (const WorkPlane& p : work.planes) before.push_back(p.section);
+  const std::size_t told = work.result.changes.size();
   do {
+    forget_left(work, told);
     repair_steps::repair_agreement(work);
   } while (work.options.chains && repair_steps::remove_new_spikes(work));
   if (work.context.cancelled()) return;
@@ -82,12 +102,43 @@ void agree(Work& work) {
           std::max(work.result.largest_displacement, displacement(work, work.planes[p], before[p]));
 }
 
+/// Numbers of contours and vertices become those of the file; new ones have none there.
+void number_as_in_file(RepairChange& c, const WorkPlane& plane) {
+  const auto has_contour = [&](const FileNumbers& n) {
+    return n.contours_begin <= c.contour && c.contour < n.contours_end;
+  };
+  const auto has_vertex = [&](const FileNumbers& n) {
+    return n.vertices_begin <= c.vertex && c.vertex < n.vertices_end;
+  };
+  const auto owner = std::find_if(plane.numbers.begin(), plane.numbers.end(), [&](const FileNumbers& n) {
+    return c.contour != kNone ? has_contour(n) : has_vertex(n);
+  });
+  if (owner == plane.numbers.end()) {
+    c.contour = c.vertex = kNone;
+    return;
+  }
+  c.plane = owner->source;
+  c.vertex = has_vertex(*owner) ? c.vertex - owner->vertices_begin : kNone;
+  if (c.contour != kNone) c.contour -= owner->contours_begin;
+}
+
+void number_as_in_file(Work& work, std::size_t planes) {
+  std::vector<const WorkPlane*> by_source(planes, nullptr);
+  for (const WorkPlane& p : work.planes) by_source[p.source] = &p;
+  for (RepairChange& c : work.result.changes)
+    if (c.plane != kNone && by_source[c.plane]) number_as_in_file(c, *by_source[c.plane]);
+}
+
 void finish(Work& work, const Sections& in) {
   Repair& r = work.result;
+  number_as_in_file(work, in.planes.size());
   r.sections.source = in.source;
   r.diagonal = work.diagonal;
   for (WorkPlane& p : work.planes) {
-    if (p.edited) tidy_section(p.section);
+    if (p.edited)
+      tidy_section(p.section);
+    else
+      p.section.edges = in.planes[p.source].edges;  // also where they name equal vertices
     r.sources.push_back(p.source);
     r.sections.planes.push_back(std::move(p.section));
   }
@@ -130,8 +181,9 @@ Result<Repair> repair_all(const Sections& in, const RepairOptions& options, cons
   }
   work.middle = box.center();
   for (std::uint32_t p = 0; p < in.planes.size(); ++p) {
-    work.planes.push_back(
-        {in.planes[p], p, {}, 0, false, static_cast<std::uint32_t>(in.planes[p].vertices.size())});
+    const auto vertices = static_cast<std::uint32_t>(in.planes[p].vertices.size());
+    work.planes.push_back({in.planes[p], p, {}, 0, false, false, vertices, {}});
+    work.planes.back().numbers.push_back({p, 0, contours_in(in.planes[p]), 0, vertices});
   }
   if (options.loops) repair_steps::drop_flat_contours(work, extent.flat);
   for (WorkPlane& p : work.planes) repair_steps::settle_plane(p);

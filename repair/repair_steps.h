@@ -1,6 +1,7 @@
 #pragma once
 /// The steps of a repair over shared data; internal to repair/.
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -12,6 +13,13 @@
 
 namespace crossloft::repair_steps {
 
+/// Where the numbers of a plane of the file are among those of the plane that it is part of now.
+struct FileNumbers {
+  std::uint32_t source = kNone;  ///< position in the file
+  std::uint32_t contours_begin = 0, contours_end = 0;
+  std::uint32_t vertices_begin = 0, vertices_end = 0;
+};
+
 /// A plane on its way. Vertices are appended and never taken away before the end, so that numbers of vertices
 /// are those of the file as long as there are that many.
 struct WorkPlane {
@@ -20,7 +28,9 @@ struct WorkPlane {
   Vec3 normal;                   ///< unit length, first component that is not 0 positive
   double offset = 0;             ///< half way between the extreme vertices, as framing does it
   bool edited = false;
+  bool torn = false;        ///< vertices stay beside it, beyond the limit: its offset is where the others are
   std::uint32_t given = 0;  ///< vertices in the file; those after them are new
+  std::vector<FileNumbers> numbers = {};  ///< its own, and those of planes united with it
 };
 
 struct Work {
@@ -32,6 +42,8 @@ struct Work {
   Repair result;
 
   PlaneChart chart(const WorkPlane& plane) const { return {plane.normal, plane.offset, middle, diagonal}; }
+  /// Nothing moves further than the limit, whatever a tolerance allows.
+  double capped(double length) const { return std::min(length, options.limit * diagonal); }
   void note(RepairChange change) { result.changes.push_back(std::move(change)); }
 };
 

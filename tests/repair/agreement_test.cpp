@@ -153,6 +153,19 @@ TEST_CASE("the order of planes, vertices and edges does not matter") {
   }
 }
 
+// One spike upon the other: which went first depended on the order of the edges.
+TEST_CASE("the order of edges does not matter for spikes") {
+  Sections dirty{"", {plane_at({0, 0, 1}, {0, 0, 0})}};
+  add_contour(
+      dirty.planes[0],
+      {{0, 2, 0}, {3, 0, 0}, {2, 3, 0}, {0, 0, 0}, {4, 4, 0}, {1, 1, 0}, {2, 2, 0}, {3, 3, 0}, {2, 4, 0}});
+  add_contour(dirty.planes[0], square(20, 0, 0, 1), 1);
+  const Repair one = repaired(dirty);
+  CHECK(one.changes.size() > 0);
+  for (std::uint64_t seed = 1; seed <= 20; ++seed)
+    CHECK(walls_of(repaired(shuffled(dirty, seed)).sections) == walls_of(one.sections));
+}
+
 TEST_CASE("a pencil of planes agrees on its axis") {
   const Surface solid = genus2_solid(24);
   auto sections = slice(solid, rotational_planes(bounds_of(solid.points), 5));

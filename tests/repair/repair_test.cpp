@@ -136,6 +136,68 @@ TEST_CASE("a plane with a poor normal is turned to its vertices") {
   check_clean(repair);
 }
 
+// A triangle fits any plane exactly: the rounded heights of a tiny one tilted its plane through the others.
+TEST_CASE("a plane is not turned by the noise of a tiny section") {
+  Sections dirty = two_squares();
+  dirty.planes.push_back(plane_at({0, 0, 1}, {0, 0, 2}));
+  add_contour(dirty.planes[2], {{0.3, 0.1, 2}, {0.30002, 0.1, 2.000005}, {0.3, 0.10002, 1.999995}});
+  RepairOptions options;
+  options.limit = 1;
+  const Repair repair = repaired(dirty, options);
+  CHECK(changes(repair, RepairKind::plane_fitted).size() == 0);
+  CHECK(changes(repair, RepairKind::onto_plane).size() == 1);
+  CHECK(repair.sections.planes[2].normal == Vec3{0, 0, 1});
+  CHECK(repair.sections.planes[2].offset == -2);
+  check_clean(repair);
+}
+
+TEST_CASE("a plane is not turned by more than the limit") {
+  Sections dirty = two_squares();
+  for (Vec3& v : dirty.planes[1].vertices) v.z += 0.02 * v.x;
+  RepairOptions options;
+  options.limit = 0.008;  // the vertices need 0.02 of 3, the plane 0.03
+  const Repair repair = repaired(dirty, options);
+  CHECK(changes(repair, RepairKind::plane_fitted).size() == 0);
+  CHECK(repair.sections.planes[1].normal == Vec3{0, 0, 1});
+}
+
+TEST_CASE("a vertex off its plane does not drag the others along") {
+  Sections dirty = two_squares();
+  dirty.planes[1].vertices[2].z = 1.2;
+  const Repair repair = repaired(dirty);
+  REQUIRE(repair.changes.size() == 1);
+  CHECK(repair.changes[0].kind == RepairKind::onto_plane);
+  CHECK((repair.changes[0].count == 1 && repair.changes[0].vertex == 2));
+  CHECK(repair.changes[0].distance == doctest::Approx(0.2));
+  CHECK(repair.sections.planes[1].offset == -1);
+  CHECK(repair.sections.planes[1].vertices == two_squares().planes[1].vertices);
+  check_clean(repair);
+}
+
+TEST_CASE("a plane stays where it is if the only vertex off it is left") {
+  Sections dirty = two_squares();
+  dirty.planes[1].vertices[2].z = 1.9;
+  const Repair repair = repaired(dirty);
+  REQUIRE(repair.changes.size() == 1);
+  CHECK(repair.changes[0].kind == RepairKind::left_as_it_is);
+  CHECK(repair.changes[0].count == 1);
+  CHECK(repair.sections.planes[1].offset == -1);
+  CHECK(repair.sections.planes[1].vertices == dirty.planes[1].vertices);
+}
+
+TEST_CASE("a plane that goes where most of its vertices are is told") {
+  Sections dirty = two_squares();
+  for (Vec3& v : dirty.planes[1].vertices) v.z = 1.05;
+  dirty.planes[1].vertices[2].z = 1.2;
+  const Repair repair = repaired(dirty);
+  REQUIRE(changes(repair, RepairKind::plane_fitted).size() == 1);
+  CHECK(changes(repair, RepairKind::plane_fitted)[0].distance == doctest::Approx(0.05));
+  REQUIRE(changes(repair, RepairKind::onto_plane).size() == 1);
+  CHECK(changes(repair, RepairKind::onto_plane)[0].count == 1);
+  CHECK(repair.sections.planes[1].offset == doctest::Approx(-1.05));
+  check_clean(repair);
+}
+
 TEST_CASE("nearly equal planes become one, their sections united") {
   Sections dirty = two_squares();
   dirty.planes.push_back(plane_at({0, 0, 1}, {0, 0, 1e-7}));
@@ -207,6 +269,112 @@ TEST_CASE("repeated vertices") {
   CHECK(told[0].count == 2);
   CHECK(repair.sections.planes[0].edges.size() == 4);
   check_clean(repair);
+}
+
+namespace {
+
+/// Adds a chain of edges that name equal vertices twice.
+void add_loose(PlaneSection& p, const std::vector<Vec3>& points, bool closed, std::uint32_t contour) {
+  for (std::size_t k = 0; k + (closed ? 0 : 1) < points.size(); ++k) {
+    const auto v = static_cast<std::uint32_t>(p.vertices.size());
+    p.vertices.insert(p.vertices.end(), {points[k], points[(k + 1) % points.size()]});
+    p.edges.push_back({v, v + 1, 1, 0, contour, 0});
+  }
+}
+
+std::vector<Vec3> polygon(std::size_t corners, double radius) {
+  std::vector<Vec3> points;
+  for (std::size_t k = 0; k < corners; ++k) {
+    const double angle = 6.283185307179586 * static_cast<double>(k) / static_cast<double>(corners);
+    points.push_back({radius * std::cos(angle), radius * std::sin(angle), 0});
+  }
+  return points;
+}
+
+}  // namespace
+
+// Steps that went by numbers of vertices dropped a short edge as a loop of its own, and opened the contour.
+TEST_CASE("edges that name equal vertices twice make one contour, and stay so if it is clean") {
+  Sections loose = below_square(square(0, 0, 0, 1));
+  loose.planes[0] = plane_at({0, 0, 1}, {0, 0, 0});
+  add_loose(loose.planes[0], square(0, 0, 0, 1), true, 0);
+  const Repair same = repaired(loose);
+  CHECK(same.changes.size() == 0);
+  CHECK(same.sections.planes[0].vertices == loose.planes[0].vertices);
+  for (std::size_t e = 0; e < 4; ++e) CHECK(same.sections.planes[0].edges[e].a == loose.planes[0].edges[e].a);
+  loose.planes[0] = plane_at({0, 0, 1}, {0, 0, 0});
+  add_loose(loose.planes[0], {{-1, -1, 0}, {0, -1, 0}, {1e-6, -1.000001, 0}, {1, -1, 0}, {1, 1, 0}}, true, 0);
+  const Repair repair = repaired(loose);
+  CHECK(changes(repair, RepairKind::tiny_loop).size() == 0);
+  CHECK(repair.left == 0);
+  check_clean(repair);
+}
+
+TEST_CASE("an open chain of edges that name equal vertices twice goes as a whole") {
+  Sections dirty = below_square(square(0, 0, 0, 1));
+  add_loose(dirty.planes[0], {{3, 0, 0}, {3, 1, 0}, {4, 2, 0}, {5, 1, 0}, {6, 0, 0}}, false, 1);
+  const Repair repair = repaired(dirty);
+  REQUIRE(changes(repair, RepairKind::contour_left_out).size() == 1);
+  CHECK(changes(repair, RepairKind::contour_left_out)[0].count == 4);
+  CHECK(repair.sections.planes[0].edges.size() == 4);
+  check_clean(repair);
+}
+
+TEST_CASE("many short edges one after the other don't make a contour vanish") {
+  const Sections dense = below_square(polygon(1000, 1));
+  RepairOptions options;
+  options.repeated = 0.003;
+  const Repair repair = repaired(dense, options);
+  CHECK(repair.left == 0);
+  CHECK(repair.sections.planes[0].edges.size() > 100);
+  CHECK(repair.sections.planes[0].edges.size() < 600);
+  CHECK(repair.largest_displacement <= 2 * options.repeated * repair.diagonal);
+  CHECK(repaired(repair.sections, options).changes.size() == 0);
+}
+
+TEST_CASE("a contour that becomes one vertex is told and counts as left") {
+  Sections dirty = two_squares();
+  add_contour(dirty.planes[0], square(5, 0, 0, 0.01), 1);
+  RepairOptions options;
+  options.repeated = 0.01;
+  const Repair repair = repaired(dirty, options);
+  REQUIRE(changes(repair, RepairKind::contour_left_out).size() == 1);
+  CHECK(changes(repair, RepairKind::contour_left_out)[0].contour == 1);
+  CHECK(repair.left == 1);
+}
+
+TEST_CASE("no tolerance goes beyond the limit") {
+  RepairOptions options;
+  options.limit = 1e-4;
+  options.same_plane = options.repeated = options.spike = options.tiny_loop = options.collinear = 0.05;
+  Sections sections = two_squares();
+  sections.planes.push_back(plane_at({0, 0, 1}, {0, 0, 0.05}));
+  add_contour(sections.planes[2], {{3, 0, 0.05}, {4, 0, 0.05}, {4.05, 0.05, 0.05}, {4, 0.1, 0.05}});
+  add_contour(sections.planes[2], square(5, 0, 0.05, 0.05), 1);
+  add_contour(sections.planes[2], {{6, 0, 0.05}, {7, 0.01, 0.05}, {6, 0.02, 0.05}}, 2);
+  add_contour(sections.planes[2], {{6, 2, 0.05}, {6.5, 1.99, 0.05}, {7, 2, 0.05}, {6.5, 3, 0.05}}, 3);
+  CHECK(repaired(sections, options).changes.size() == 0);
+}
+
+TEST_CASE("what vertices move as planes become one is told") {
+  Sections sections = two_squares();
+  sections.planes.push_back(plane_at({0, 0, 1}, {0, 0, 0.05}));
+  add_contour(sections.planes[2], square(4, 0, 0.05, 1));
+  RepairOptions options;
+  options.same_plane = 0.05;
+  const Repair repair = repaired(sections, options);
+  REQUIRE(changes(repair, RepairKind::planes_united).size() == 1);
+  CHECK(repair.largest_displacement == doctest::Approx(0.05));
+}
+
+TEST_CASE("a thin triangle is no straight run") {
+  Sections sections = two_squares();
+  add_contour(sections.planes[0], {{2, 0, 0}, {4, 0, 0}, {3, 1e-5, 0}}, 1);
+  RepairOptions options;
+  options.collinear = 1e-4;
+  const Repair repair = repaired(sections, options);
+  CHECK(repair.changes.size() == 0);
+  CHECK(repair.sections.planes[0].edges.size() == 7);
 }
 
 TEST_CASE("spikes, exact and narrow, one upon the other") {
@@ -367,6 +535,19 @@ TEST_CASE("what no repair can read is an error") {
   RepairOptions options;
   options.limit = -1;
   CHECK(repair_sections(two_squares(), options).error().code == ErrorCode::usage);
+}
+
+TEST_CASE("what is done after planes were united is told by the numbers of the file") {
+  Sections dirty = two_squares();
+  dirty.planes.push_back(dirty.planes[0]);
+  dirty.planes[2].vertices.clear();
+  dirty.planes[2].edges.clear();
+  add_contour(dirty.planes[2], square(4, 0, 0, 1), 0);
+  add_contour(dirty.planes[2], square(8, 0, 0, 1e-7), 1);
+  const auto told = changes(repaired(dirty), RepairKind::tiny_loop);
+  REQUIRE(told.size() == 1);
+  const bool kept = told[0].plane == 2 && told[0].contour == 1 && told[0].vertex == 4;
+  CHECK(kept);
 }
 
 TEST_CASE("names of kinds are all different") {
