@@ -8,6 +8,8 @@
 #include <cmath>
 #include <limits>
 
+#include "../../bench/point_distributions.h"
+
 namespace {
 
 template <std::size_t N>
@@ -17,6 +19,40 @@ void check_permutation(const std::vector<std::array<double, N>>& points) {
   std::sort(order.begin(), order.end());
   REQUIRE(order.size() == points.size());
   for (std::uint32_t i = 0; i < order.size(); ++i) CHECK(order[i] == i);
+}
+
+/// Of the way through points first..first + count - 1 in their order.
+template <std::size_t N>
+double length_of_way(const std::vector<std::array<double, N>>& points, std::size_t first, std::size_t count) {
+  double length = 0;
+  const std::array<double, N>* last = nullptr;
+  for (const std::uint32_t i : crossloft::insertion_order(std::span<const std::array<double, N>>(points))) {
+    if (i < first || i >= first + count) continue;
+    for (std::size_t axis = 0; last != nullptr && axis < N; ++axis)
+      length += std::abs(points[i][axis] - (*last)[axis]);
+    last = &points[i];
+  }
+  return length;
+}
+
+/// Each cluster a 10^6th of the one before, and far from them all a point on each axis.
+template <std::size_t N>
+void check_clusters(std::size_t size) {
+  constexpr std::size_t kClusters = 4;
+  crossloft::bench::Draw draw(7);
+  std::vector<std::array<double, N>> points(kClusters * size + N);
+  double extent = 1;
+  for (std::size_t k = 0; k < kClusters; ++k, extent *= 1e-6)
+    for (std::size_t i = k * size; i < (k + 1) * size; ++i)
+      for (double& x : points[i]) x = extent * draw.unit();
+  for (std::size_t axis = 0; axis < N; ++axis) points[kClusters * size + axis][axis] = 1e9;
+  check_permutation(points);
+  auto first_cluster = points;
+  first_cluster.resize(size);
+  const double alone = length_of_way(first_cluster, 0, size);
+  extent = 1;
+  for (std::size_t k = 0; k < kClusters; ++k, extent *= 1e-6)
+    CHECK(length_of_way(points, k * size, size) < 1.5 * extent * alone);
 }
 
 }  // namespace
@@ -43,6 +79,20 @@ TEST_CASE("the last round walks in short steps") {
     for (std::size_t axis = 0; axis < 3; ++axis)
       length += std::abs(points[order[k]][axis] - points[order[k - 1]][axis]);
   CHECK(length / static_cast<double>(order.size() - begin) < 1.3);  // 8/7 cells a step along the curve
+}
+
+TEST_CASE("the steps in a cluster are short, however small it is beside the whole") {
+  check_clusters<2>(3'000);  // these are sorted by counting,
+  check_clusters<3>(3'000);
+  check_clusters<3>(500);  // and these not
+}
+
+TEST_CASE("many points in one place, and beside it, come in some order") {
+  std::vector<std::array<double, 2>> points(3'000, {0.25, 0.5});
+  check_permutation(points);
+  points.insert(points.end(), 100, {0.25, std::nextafter(0.5, 1)});
+  points.push_back({1e300, -1e300});
+  check_permutation(points);
 }
 
 TEST_CASE("the curve passes all cells once, each beside the one before") {
