@@ -24,7 +24,7 @@ class Delaunay2 {
 
   /// Triangulates all points that are there. Call it once, before any insert().
   void build() { core_.build(); }
-  /// Adds point i; returns i, or the vertex that it equals. `near` is a vertex to start the search from, for
+  /// Adds point i; returns i, or the vertex that it equals. `near` is a point to start the search from, for
   /// speed. Expected time: the length of the walk plus the triangles changed.
   std::uint32_t insert(std::uint32_t i, std::uint32_t near = kNone) { return core_.insert(i, near); }
   /// Edges that the last insert() removed, each once, in no particular order.

@@ -85,6 +85,7 @@ std::uint32_t DelaunayCore<D, P>::insert(std::uint32_t i, std::uint32_t near) {
     return i;
   }
   const auto& incident = growing_.incident;
+  near = kept(near);  // others have no cell, or that of before they were renamed
   if (D == 2 && near + std::size_t{1} < incident.size() && incident[near + 1u] != kNone)
     inserter_.insert(i, incident[near + 1u]);
   else

@@ -137,6 +137,22 @@ TEST_CASE("points added one by one give the same triangles") {
         triangles_by_rank(kFloor, points));
 }
 
+TEST_CASE("a search starts at the vertex that stands for a point, also if build() renamed it") {
+  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+    CAPTURE(seed);
+    const std::vector<LatticePoint> all = flattened(point_sets::random_cube(120, 12, seed));
+    std::vector<LatticePoint> points(all.begin(), all.begin() + 60);
+    const LatticePredicates2 predicates(kFloor, points);
+    Delaunay2 triangulation(predicates);
+    triangulation.build();
+    for (std::uint32_t i = 60; i < all.size(); ++i) {
+      points.push_back(all[i]);
+      triangulation.insert(i, i * 7 % 60);
+    }
+    CHECK(triangulation.verify() == "");
+  }
+}
+
 TEST_CASE("edges are found from either end, and only those") {
   std::vector<LatticePoint> points = flattened(point_sets::random_cube(60, 30, 4));
   points.insert(points.end(), points.begin(), points.begin() + 10);  // these stand for the first ones
