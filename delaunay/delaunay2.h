@@ -14,7 +14,8 @@
 namespace crossloft {
 
 /// As Delaunay3, in a plane: the result is a function of the point set and its ranks alone. Points that the
-/// predicates object gains later are added one by one. Needs fewer than 2^30 triangles.
+/// predicates object gains later are added one by one. 2^30 triangles or more are a failed
+/// allocation.
 template <PointPredicates2 P>
 class Delaunay2 {
  public:

@@ -22,8 +22,8 @@ namespace crossloft {
 ///     triangulation.build();
 ///     if (triangulation.dimension() == 3) TetMesh mesh = triangulation.tet_mesh();
 ///
-/// Expected time O(n log n) plus the tetrahedra made; 33 bytes a tetrahedron. Needs fewer than 2^30
-/// tetrahedra, hull facets included. One object is used by one thread; `P` must outlive it.
+/// Expected time O(n log n) plus the tetrahedra made; 33 bytes a tetrahedron. 2^30 tetrahedra or more, hull
+/// facets included, are a failed allocation. One object is used by one thread; `P` must outlive it.
 template <PointPredicates3 P>
 class Delaunay3 {
  public:

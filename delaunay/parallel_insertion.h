@@ -122,7 +122,8 @@ std::vector<std::uint32_t> ParallelInsertion<P>::insert(std::uint32_t begin, std
     const bool ran_dry = std::any_of(workers_.begin(), workers_.end(),
                                      [](const auto& worker) { return worker->inserter.pool().ran_dry; });
     if (ran_dry) generosity *= 2;
-    if (points.size() > before / 2 && !ran_dry) break;
+    const bool has_more_cells = ran_dry && triangulation_.cells.size() < SimplexStore<3>::kMostCells;
+    if (points.size() > before / 2 && !has_more_cells) break;
   }
   return points;
 }
@@ -158,23 +159,25 @@ void ParallelInsertion<P>::find_starts() {
   }
 }
 
-/// Cells for all that each worker may insert, if a point needs as many as so far, or a multiple; a worker
-/// that runs out leaves the rest over. `vertices`: how many points the present cells are of.
+/// Cells for all that each worker may insert, if a point needs as many as so far, or a multiple, while there
+/// are any; a worker that runs out leaves the rest over. `vertices`: how many points the present cells are
+/// of.
 template <class P>
 void ParallelInsertion<P>::provide_cells(std::uint32_t vertices, double generosity) {
   auto& cells = triangulation_.cells;
+  constexpr std::size_t kMost = SimplexStore<3>::kMostCells;
   std::size_t size = cells.size(), used = size;
   for (const auto& worker : workers_) used -= worker->inserter.pool().size();
   const double per_point = generosity * static_cast<double>(used) / vertices;
   for (const auto& worker : workers_) {
     CellPool& pool = worker->inserter.pool();
-    const auto wanted =
-        static_cast<std::size_t>(per_point * static_cast<double>(worker->points.size())) + 4 * kFew;
+    const double for_all = per_point * static_cast<double>(worker->points.size());
+    const std::size_t wanted = static_cast<std::size_t>(std::min(for_all, double{kMost})) + 4 * kFew;
     pool.ran_dry = false;
     for (; pool.next != pool.end; ++pool.next) pool.freed.push_back(pool.next);
     if (pool.freed.size() >= wanted) continue;
     pool.next = static_cast<std::uint32_t>(size);
-    size += wanted - pool.freed.size();
+    size += std::min(wanted - pool.freed.size(), kMost - size);
     pool.end = static_cast<std::uint32_t>(size);
   }
   cells.grow_to(size, static_cast<unsigned>(workers_.size()));

@@ -31,10 +31,10 @@ namespace crossloft {
 ///     triangulation.build();
 ///     if (triangulation.dimension() == 3) TetMesh mesh = triangulation.tet_mesh();
 ///
-/// Expected time O(n log n) plus the tetrahedra made; 33 bytes a tetrahedron, 8 a site. Needs fewer than
-/// 2^30 tetrahedra, hull facets included. One object is used by one thread; `P` must outlive it. Source:
-/// Edelsbrunner and Shah, Incremental topological flipping works for regular triangulations (1996), for
-/// hidden sites and the walk; the insertion itself is that of delaunay_core.h.
+/// Expected time O(n log n) plus the tetrahedra made; 33 bytes a tetrahedron, 8 a site. 2^30
+/// tetrahedra or more, hull facets included, are a failed allocation. One object is used by one thread; `P`
+/// must outlive it. Source: Edelsbrunner and Shah, Incremental topological flipping works for regular
+/// triangulations (1996), for hidden sites and the walk; the insertion itself is that of delaunay_core.h.
 template <PowerPredicates3 P>
 class Regular3 {
  public:

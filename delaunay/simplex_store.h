@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "../geom/failing.h"
 #include "../geom/ids.h"
 #include "in_parallel.h"
 #include "large_pages.h"
@@ -20,7 +21,7 @@ inline constexpr std::uint32_t kGhost = kNone;
 template <std::size_t D>
 using Simplex = std::array<std::uint32_t, D + 1>;
 
-/// A facet as seen from one of its two cells: the one opposite `slot`. Packed, hence at most 2^30 cells.
+/// A facet as seen from one of its two cells: the one opposite `slot`. Packed, hence fewer than 2^30 cells.
 class Facet {
  public:
   constexpr Facet() = default;
@@ -48,6 +49,9 @@ enum class Mark : std::uint8_t { none, outside, cavity };
 template <std::size_t D>
 class SimplexStore {
  public:
+  /// As many as a Facet tells apart, and from none.
+  static constexpr std::size_t kMostCells = (std::size_t{1} << 30) - 1;
+
   std::uint32_t size() const { return static_cast<std::uint32_t>(vertices_.size()); }
   const Simplex<D>& vertices(std::uint32_t cell) const { return vertices_[cell]; }
   /// The same facet seen from the cell on its other side.
@@ -57,6 +61,7 @@ class SimplexStore {
 
   /// Makes room for a number of cells in all: a guess, for speed.
   void reserve(std::size_t cells) {
+    cells = std::min(cells, kMostCells);
     reserve_in_large_pages(vertices_, cells);
     reserve_in_large_pages(neighbours_, cells);
     reserve_in_large_pages(marks_, cells);
@@ -66,8 +71,10 @@ class SimplexStore {
   bool is_nearly_full() const {
     return vertices_.capacity() - vertices_.size() < std::min(kManyPerInsertion, vertices_.size() / 4);
   }
-  /// A new free cell.
+  /// A new free cell; fails as an allocation does if there are kMostCells.
   std::uint32_t grow() {
+    if (vertices_.size() >= kMostCells) [[unlikely]]
+      fail_as_allocation();
     if (vertices_.size() == vertices_.capacity()) [[unlikely]]
       reserve(2 * vertices_.size() + 64);
     vertices_.push_back(free_cell());
@@ -75,8 +82,9 @@ class SimplexStore {
     marks_.push_back(Mark::none);
     return size() - 1;
   }
-  /// So many cells in all, those beyond size() free.
+  /// So many cells in all, those beyond size() free. Fails as grow().
   void grow_to(std::size_t cells, unsigned threads) {
+    if (cells > kMostCells) fail_as_allocation();
     if (cells > vertices_.capacity()) reserve(std::max(cells, 2 * vertices_.size()));
     provide_pages_for(vertices_, cells, threads);
     provide_pages_for(neighbours_, cells, threads);

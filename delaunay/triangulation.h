@@ -31,7 +31,8 @@ struct Triangulation {
 /// and 1 a tetrahedron, with several threads 2 a point more and 4 for each. Expected O(n log n) plus the
 /// tetrahedra made. `threads`: 0 counts as 1; few points use fewer, and no more than four a core are made.
 /// Coordinates that are not finite have no triangulation: then there are no simplices, the dimension is -1
-/// and no point is kept. REQUIRES: fewer than 2^30 tetrahedra, hull facets included.
+/// and no point is kept. 2^30 tetrahedra or more, hull facets included, are a failed
+/// allocation.
 Triangulation delaunay_triangulation(std::vector<Vec3> points, unsigned threads = 1);
 
 /// The regular triangulation (contracts in regular3.h) in the same way; weights, too, have to be finite.

@@ -16,6 +16,9 @@ namespace crossloft {
 
 #ifdef __cpp_exceptions
 
+/// Fails as an allocation does: where numbers, not memory, have an end.
+[[noreturn]] inline void fail_as_allocation() { throw std::bad_alloc(); }
+
 /// work(), which returns a Result; the error out_of_memory if an allocation in it fails. Its message is short
 /// enough to need no memory of its own.
 template <class Work>
@@ -66,6 +69,11 @@ std::vector<std::thread> start_threads(unsigned count, const Work& work) {
 }
 
 #else
+
+[[noreturn]] inline void fail_as_allocation() {
+  if (const std::new_handler handler = std::get_new_handler()) handler();
+  std::terminate();
+}
 
 template <class Work>
 auto or_out_of_memory(Work&& work) -> decltype(work()) {

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <map>
+#include <new>
 
 #include "../../delaunay/lattice_predicates.h"
 #include "../../delaunay/vec3_predicates.h"
@@ -115,6 +116,13 @@ TEST_CASE("points added later give what all points at once give") {
     const auto points = point_sets::random_cube(200, 6, seed);
     for (const std::uint32_t first : {0u, 1u, 3u, 100u, 200u}) check_extend(points, first);
   }
+}
+
+TEST_CASE("more cells than can be numbered are a failed allocation") {
+  detail::SimplexStore<3> cells;
+  CHECK(cells.grow() == 0);
+  CHECK_THROWS_AS(cells.grow_to(std::size_t{1} << 30, 1), std::bad_alloc);
+  CHECK(cells.size() == 1);
 }
 
 TEST_CASE("a point whose cavity is all there is") {
