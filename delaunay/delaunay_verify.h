@@ -70,7 +70,10 @@ std::string verify(const DelaunayCore<D, P>& core) {
       seen[v] = true;
     }
   }
-  if (count != core.vertex_count()) return "a point is no vertex";
+  seen.resize(core.predicates().size());
+  for (std::uint32_t i = 0; i < seen.size(); ++i)
+    if (core.kept(i) == i && !seen[i]) return "point " + std::to_string(i) + " is no vertex";
+  if (count != core.vertex_count()) return "vertices are miscounted";
   if constexpr (HasHeights<P>) return wrongly_hidden(core);
   return "";
 }

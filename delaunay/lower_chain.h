@@ -52,7 +52,8 @@ std::vector<std::uint32_t> lower_chain(const P& p, std::vector<std::uint32_t>& k
   return chain;
 }
 
-/// Empty if the chain ascends, turns upwards at each vertex and passes below all hidden sites. O(n log n).
+/// Empty if the chain ascends, turns upwards at each vertex and passes below all hidden sites, and all others
+/// stand for vertices. O(n log n).
 template <PowerPredicates3 P>
 std::string verify_chain(const P& p, const std::vector<std::uint32_t>& chain,
                          const std::vector<std::uint32_t>& kept) {
@@ -62,7 +63,10 @@ std::string verify_chain(const P& p, const std::vector<std::uint32_t>& chain,
     if (p.power_test1d(chain[k - 2], chain[k], chain[k - 1]) < 0) return "chain is not convex";
   const auto before = [&](std::uint32_t a, std::uint32_t b) { return p.compare_lex(a, b) < 0; };
   for (std::uint32_t i = 0; i < kept.size(); ++i) {
-    if (kept[i] != kNone) continue;
+    if (kept[i] != kNone) {
+      if (kept[kept[i]] != kept[i]) return "a site stands for a hidden one";
+      continue;
+    }
     const auto next = std::lower_bound(chain.begin(), chain.end(), i, before);
     if (next == chain.end()) return "hidden site beyond the chain";
     const bool above = p.compare_lex(*next, i) == 0

@@ -118,6 +118,17 @@ TEST_CASE("points added later give what all points at once give") {
   }
 }
 
+TEST_CASE("a point that was left out is found by verify()") {
+  const auto points = point_sets::random_cube(200, 1000, 3);
+  Growing predicates(points);
+  predicates.known = 100;
+  Delaunay3 triangulation(predicates);
+  triangulation.build();
+  predicates.known = 200;
+  triangulation.extend(150);  // against its contract
+  CHECK(triangulation.verify() == "point 100 is no vertex");
+}
+
 TEST_CASE("more cells than can be numbered are a failed allocation") {
   detail::SimplexStore<3> cells;
   CHECK(cells.grow() == 0);
@@ -126,11 +137,16 @@ TEST_CASE("more cells than can be numbered are a failed allocation") {
 }
 
 TEST_CASE("a point whose cavity is all there is") {
-  auto points = point_sets::sphere(81);
-  const auto first = static_cast<std::uint32_t>(points.size());
-  REQUIRE(first > 100);
-  points.push_back(make_point({0, 0, 0}));
-  check_extend(points, first);
+  const auto check_centre = [](std::vector<LatticePoint> sphere) {
+    const auto first = static_cast<std::uint32_t>(sphere.size());
+    sphere.push_back(make_point({0, 0, 0}));
+    check_extend(sphere, first);
+  };
+  const auto few = point_sets::sphere(81), many = point_sets::sphere(446);
+  REQUIRE((few.size() > 100 && few.size() < 200));
+  check_centre(few);
+  REQUIRE(many.size() > 300);  // too many for the table of edges: new cells are found by turning
+  check_centre(many);
 }
 
 TEST_CASE("a grid is filled by cubes of five or six tetrahedra") {

@@ -225,6 +225,19 @@ TEST_CASE("a chain equals the definition, duplicates and all") {
   }
 }
 
+TEST_CASE("with a site of a chain its equals are hidden") {
+  const Sites sites = {{{0, 0, 0}, 0}, {{1, 0, 0}, -10}, {{1, 0, 0}, -10}, {{2, 0, 0}, 0}};
+  const Outcome outcome = triangulate(sites);
+  CHECK(outcome.chain == std::vector<std::uint32_t>{0, 2});
+  CHECK(regular_triangulation(sites).kept == std::vector<std::uint32_t>{0, kNone, kNone, 3});
+  std::vector<std::uint32_t> kept;
+  const WeightedPredicates3 predicates(sites);
+  const std::vector<std::uint32_t> chain = detail::lower_chain(predicates, kept);
+  CHECK(detail::verify_chain(predicates, chain, kept) == "");
+  kept[2] = 1;
+  CHECK(detail::verify_chain(predicates, chain, kept) == "a site stands for a hidden one");
+}
+
 TEST_CASE("one place, no place") {
   CHECK(triangulate({}).dimension == -1);
   CHECK(triangulate({{{1, 2, 3}, -5}}).chain == std::vector<std::uint32_t>{0});
