@@ -182,27 +182,51 @@ Run at_once(Make make) {
   return [make](unsigned threads) { return measure(make(), threads); };
 }
 
+struct Settings {
+  std::uint32_t most_vertices = 1'000'000, most_streamed = 10'000'000, most_planes = 100;
+  std::string markdown, svg;
+};
+
+/// False if it does not know a word, or one has no value.
+bool read_settings(int count, char** words, Settings& settings) {
+  for (int i = 1; i < count; i += 2) {
+    const std::string word = words[i];
+    if (i + 1 == count) return false;
+    const auto number = [&] { return static_cast<std::uint32_t>(std::strtoul(words[i + 1], nullptr, 10)); };
+    if (word == "--most-vertices")
+      settings.most_vertices = number();
+    else if (word == "--most-streamed")
+      settings.most_streamed = number();
+    else if (word == "--most-planes")
+      settings.most_planes = number();
+    else if (word == "--markdown")
+      settings.markdown = words[i + 1];
+    else if (word == "--svg")
+      settings.svg = words[i + 1];
+    else
+      return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 int main(int count, char** words) {
-  std::uint32_t most_vertices = 1'000'000, most_streamed = 10'000'000, most_planes = 100;
-  std::string markdown, svg;
-  for (int i = 1; i + 1 < count; i += 2) {
-    const std::string word = words[i];
-    const auto number = [&] { return static_cast<std::uint32_t>(std::strtoul(words[i + 1], nullptr, 10)); };
-    if (word == "--most-vertices") most_vertices = number();
-    if (word == "--most-streamed") most_streamed = number();
-    if (word == "--most-planes") most_planes = number();
-    if (word == "--markdown") markdown = words[i + 1];
-    if (word == "--svg") svg = words[i + 1];
+  Settings settings;
+  if (!read_settings(count, words, settings)) {
+    std::fputs(
+        "usage: bench_scale [--most-vertices N] [--most-streamed N] [--most-planes N] [--markdown FILE]"
+        " [--svg FILE]\n",
+        stderr);
+    return 2;
   }
   std::vector<Run> stacks, streams, knots;
-  for (std::uint32_t v = 1000; v <= most_vertices; v *= 10)
+  for (std::uint32_t v = 1000; v <= settings.most_vertices; v *= 10)
     stacks.push_back(at_once([v] { return twisted_tube(std::clamp<std::uint32_t>(v / 2000, 20, 500), v); }));
-  for (std::uint32_t v = 100'000; v <= most_streamed; v *= 10)
+  for (std::uint32_t v = 100'000; v <= settings.most_streamed; v *= 10)
     streams.push_back([v](unsigned threads) { return measure_stream(v / EndlessTube::kVertices, threads); });
   for (const std::uint32_t k : {5U, 10U, 20U, 50U, 100U})
-    if (k <= most_planes) knots.push_back(at_once([k] { return knot(k); }));
+    if (k <= settings.most_planes) knots.push_back(at_once([k] { return knot(k); }));
   std::vector<ScaleSeries> all{run_all("a stack of slices", "vertices", stacks),
                                run_all("a stack that is streamed", "vertices", streams),
                                run_all("a knot by random planes", "planes", knots)};
@@ -210,5 +234,5 @@ int main(int count, char** words) {
   if (all.empty()) return 1;
   const std::string table = to_markdown(all);
   std::fputs(table.c_str(), stdout);
-  return write_file(markdown, table) && write_file(svg, to_svg(all)) ? 0 : 1;
+  return write_file(settings.markdown, table) && write_file(settings.svg, to_svg(all)) ? 0 : 1;
 }
