@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "../delaunay/in_parallel.h"
 #include "../delaunay/triangulation.h"
 #include "../io/atomic_file.h"
 #include "../io/read_points.h"
@@ -28,6 +29,7 @@ struct Arguments {
 struct Built {
   Triangulation triangulation;
   std::vector<Vec3> positions;  ///< only if they are to be written
+  unsigned threads = 1;
   double seconds = 0;
 };
 
@@ -38,16 +40,20 @@ double seconds_of(Build build) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-Result<Built> delaunay(const Arguments& arguments, unsigned threads) {
+Result<Built> delaunay(const Arguments& arguments) {
   auto points = read_points(arguments.points);
   if (!points) return points.error();
   Built built;
+  built.threads = detail::useful_threads(
+      arguments.threads != 0 ? arguments.threads : std::max(1u, std::thread::hardware_concurrency()),
+      points->size());
   if (!arguments.output.empty()) built.positions = *points;  // the triangulation takes the others over
   built.seconds =
-      seconds_of([&] { built.triangulation = delaunay_triangulation(std::move(*points), threads); });
+      seconds_of([&] { built.triangulation = delaunay_triangulation(std::move(*points), built.threads); });
   return built;
 }
 
+/// By one thread.
 Result<Built> regular(const Arguments& arguments) {
   const auto points = read_weighted_points(arguments.points);
   if (!points) return points.error();
@@ -58,12 +64,6 @@ Result<Built> regular(const Arguments& arguments) {
     for (const WeightedPoint& p : *points) built.positions.push_back(p.position);
   }
   return built;
-}
-
-/// Regular triangulations are built by one thread.
-unsigned thread_count(const Arguments& arguments) {
-  if (arguments.weights) return 1;
-  return arguments.threads != 0 ? arguments.threads : std::max(1u, std::thread::hardware_concurrency());
 }
 
 Result<Done> write(const Arguments& arguments, Built& built, DelaunayReport& report,
@@ -83,11 +83,10 @@ ExitCode run(const Arguments& arguments) {
   Terminal terminal;
   if (auto outputs = check_outputs({arguments.points}, {arguments.output, arguments.report}); !outputs)
     return terminal.fail(outputs.error());
-  const unsigned threads = thread_count(arguments);
-  auto built = arguments.weights ? regular(arguments) : delaunay(arguments, threads);
+  auto built = arguments.weights ? regular(arguments) : delaunay(arguments);
   if (!built) return terminal.fail(built.error());
   DelaunayReport report = describe(built->triangulation, arguments.weights);
-  report.threads = threads;
+  report.threads = built->threads;
   report.seconds = built->seconds;
   catch_interrupts();  // writing looks at the flag, and takes its temporary file away
   const auto written = write(arguments, *built, report, terminal.context());

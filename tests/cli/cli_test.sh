@@ -385,6 +385,7 @@ expect 0 '' delaunay many.txt -o one.vtu --report one.json --threads 1
 expect 0 '' delaunay many.txt -o two.vtu --report two.json --threads 2
 cmp -s one.vtu two.vtu || fail 'other bytes with two threads'
 is two.json threads 2 hash "$(value hash one.json)"
+expect 0 '^seconds .* with 1 thread$' delaunay tet.txt --threads 9
 "$program" delaunay many.txt -o many.mesh >/dev/null 2>&1 </dev/null & running=$!
 until [ -e .many.mesh.0.tmp ] || ! kill -0 $running 2>/dev/null; do :; done
 kill -INT $running 2>/dev/null
