@@ -11,7 +11,7 @@
 namespace crossloft {
 
 /// Makes every segment a chain of edges of `tri` by adding points. Segments may share ends and have no other
-/// point in common; ends are vertices of `tri`.
+/// point in common; ends are vertices of `tri`, not points that another stands for.
 ///
 /// `split(const SplitRequest&) -> std::uint32_t` makes a point near request.from + t (request.to -
 /// request.from), adds it to the predicates object of `tri` and returns its index, or kNone if it can't. The
