@@ -11,9 +11,9 @@
 namespace crossloft {
 namespace {
 
-enum class Place : std::uint8_t { outside, boundary, inside };
+std::tuple<double, double, double> key(const LatticePoint& p) { return {p.x, p.y, p.z}; }
 
-/// A section in the plane's projection along its dominant axis, coordinates doubled so that middles of edges
+/// A section in the plane's projection along its dominant axis, coordinates doubled so that middles of pieces
 /// are integral too.
 class Projected {
  public:
@@ -24,31 +24,39 @@ class Projected {
     for (const WallEdge& w : section.walls) edges_.push_back({w.a, w.b});
   }
 
-  const std::vector<LatticePoint>& points() const { return points_; }
-  std::vector<LatticePoint> middles() const {
-    std::vector<LatticePoint> result;
-    for (const auto& [a, b] : edges_) {
-      const LatticePoint &p = points_[a], &q = points_[b];
-      result.push_back({(p.x + q.x) / 2, (p.y + q.y) / 2, (p.z + q.z) / 2, nullptr});
+  /// The middles of the pieces that the vertices of both cut the edges into.
+  std::vector<LatticePoint> middles(const Projected& other) const {
+    std::vector<LatticePoint> result, ends;
+    for (const Edge& e : edges_) {
+      ends.clear();
+      for (const Projected* section : {this, &other})
+        for (const LatticePoint& p : section->points_)
+          if (on_edge(e, p)) ends.push_back(p);
+      std::sort(ends.begin(), ends.end(), [](const auto& p, const auto& q) { return key(p) < key(q); });
+      for (std::size_t k = 1; k < ends.size(); ++k) {
+        const LatticePoint &p = ends[k - 1], &q = ends[k];
+        if (key(p) != key(q)) result.push_back({(p.x + q.x) / 2, (p.y + q.y) / 2, (p.z + q.z) / 2, nullptr});
+      }
     }
     return result;
   }
 
-  /// Even-odd along the ray towards growing i.
-  Place locate(const LatticePoint& p) const {
+  /// Whether the section holds the place beside p, no vertex, that an infinitesimal step away from the axes
+  /// leads to: towards low i and much less towards high j, or, on the `far` side, the other way. Even-odd
+  /// along the ray towards growing i.
+  bool holds_beside(const LatticePoint& p, bool far) const {
+    const auto above = [&](const LatticePoint& q) { return far ? q[j_] >= p[j_] : q[j_] > p[j_]; };
     bool inside = false;
     for (const auto& [ia, ib] : edges_) {
       const LatticePoint &a = points_[ia], &b = points_[ib];
-      if (std::min(a[j_], b[j_]) > p[j_] || std::max(a[j_], b[j_]) < p[j_]) continue;
-      if (std::max(a[i_], b[i_]) < p[i_]) continue;
+      if (above(a) == above(b) || std::max(a[i_], b[i_]) < p[i_]) continue;
       const int side = orient2d(plane_, a, b, p);
-      if (side == 0 && std::min(a[i_], b[i_]) <= p[i_]) return Place::boundary;
-      if ((a[j_] > p[j_]) == (b[j_] > p[j_])) continue;
       // p is left of an upward edge iff the triangle (a, b, p) turns as (i, j) do.
       const int left = positive_axis() ? side : -side;
-      if ((b[j_] > a[j_]) == (left > 0)) inside = !inside;
+      const bool hit = side == 0 ? !far : (b[j_] > a[j_]) == (left > 0);
+      inside = inside != hit;
     }
-    return inside ? Place::inside : Place::outside;
+    return inside;
   }
 
   bool crosses(const Projected& other) const {
@@ -70,6 +78,11 @@ class Projected {
              const LatticePoint& d) const {
     return std::max(a[axis], b[axis]) < std::min(c[axis], d[axis]) ||
            std::max(c[axis], d[axis]) < std::min(a[axis], b[axis]);
+  }
+  /// At an end or between.
+  bool on_edge(const Edge& e, const LatticePoint& p) const {
+    const LatticePoint &a = points_[e.a], &b = points_[e.b];
+    return !apart(i_, a, b, p, p) && !apart(j_, a, b, p, p) && orient2d(plane_, a, b, p) == 0;
   }
   /// True iff the open segments have one common point.
   bool cross(const LatticePoint& a, const LatticePoint& b, const LatticePoint& c,
@@ -119,15 +132,6 @@ bool nearly_same(const LatticeSection& a, const LatticeSection& b, double tolera
   cancel_pairs(mapped);
   return equal_walls(mapped, b.walls);
 }
-
-bool all_at(const Projected& section, Place place, const std::vector<LatticePoint>& points) {
-  return std::all_of(points.begin(), points.end(), [&](const auto& p) { return section.locate(p) == place; });
-}
-bool any_at(const Projected& section, Place place, const std::vector<LatticePoint>& points) {
-  return std::any_of(points.begin(), points.end(), [&](const auto& p) { return section.locate(p) == place; });
-}
-
-std::tuple<double, double, double> key(const LatticePoint& p) { return {p.x, p.y, p.z}; }
 
 void renumber(std::vector<WallEdge>& walls, const std::vector<std::uint32_t>& index) {
   for (WallEdge& w : walls) {
@@ -184,14 +188,19 @@ SectionRelation relation(const LatticePlane& plane, const LatticeSection& a, con
   if (nearly_same(a, b, tolerance)) return SectionRelation::same;
   const Projected p(plane, a), q(plane, b);
   if (p.crosses(q)) return SectionRelation::overlapping;
-  // Without a proper crossing each edge of one lies in the interior, on the boundary or outside of the other,
-  // up to pieces between touching points; its ends and its middle tell which.
-  const auto pm = p.middles(), qm = q.middles();
-  if (any_at(q, Place::inside, p.points()) || any_at(p, Place::inside, q.points()) ||
-      any_at(q, Place::inside, pm) || any_at(p, Place::inside, qm))
-    return SectionRelation::overlapping;
-  const bool one_boundary = all_at(q, Place::boundary, pm) && all_at(p, Place::boundary, qm);
-  return one_boundary ? SectionRelation::same : SectionRelation::apart;
+  // Without a proper crossing no edge of one enters or leaves the other, or its border, within a piece
+  // between vertices: both sides of its middle stand for the piece. What the sections have in common has a
+  // border, and so has what only one of them holds, if there is any: pieces tell of both.
+  bool any_common = false, all_common = true;
+  for (const auto& middles : {p.middles(q), q.middles(p)})
+    for (const LatticePoint& m : middles)
+      for (const bool far : {false, true}) {
+        const bool in_p = p.holds_beside(m, far), in_q = q.holds_beside(m, far);
+        any_common = any_common || (in_p && in_q);
+        all_common = all_common && in_p == in_q;
+      }
+  if (all_common) return SectionRelation::same;
+  return any_common ? SectionRelation::overlapping : SectionRelation::apart;
 }
 
 void tidy(LatticeSection& s) {

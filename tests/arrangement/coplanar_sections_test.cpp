@@ -71,6 +71,28 @@ TEST_CASE("sections against a square") {
   CHECK(both_ways(square, LatticeSection{}) == SectionRelation::apart);
 }
 
+TEST_CASE("sections overlap in a square that they enter and leave through each other's vertices") {
+  // Edge (1,1)(-9,1) of the first runs through a vertex of the second, and so on: no two edges cross, no
+  // vertex and no middle of an edge is inside.
+  const LatticeSection a = section({{0, 0}, {10, 0}, {10, 2}, {1, 1}, {-9, 1}, {-9, -1}});
+  const LatticeSection b = section({{1, 0}, {1, 10}, {-1, 10}, {0, 1}, {0, -9}, {2, -9}});
+  CHECK(both_ways(a, b) == SectionRelation::overlapping);
+}
+
+TEST_CASE("sections with one whole contour in common overlap, those that share borders alone are apart") {
+  LatticeSection a = section({{0, 0}, {4, 0}, {4, 4}, {0, 4}}), b = a;
+  add(a, {{6, 0}, {8, 0}, {8, 2}});
+  add(b, {{6, 6}, {8, 6}, {8, 8}});
+  tidy(a), tidy(b);
+  CHECK(both_ways(a, b) == SectionRelation::overlapping);
+
+  LatticeSection ring = section({{0, 0}, {6, 0}, {6, 6}, {0, 6}});
+  add(ring, {{2, 2}, {4, 2}, {4, 4}, {2, 4}});
+  tidy(ring);
+  CHECK(both_ways(ring, section({{2, 2}, {4, 2}, {4, 4}, {3, 4}, {2, 4}})) == SectionRelation::apart);
+  CHECK(both_ways(ring, section({{2, 2}, {4, 2}, {4, 4}, {2, 6}})) == SectionRelation::overlapping);
+}
+
 TEST_CASE("vertices within the tolerance are the same ones") {
   const LatticeSection square = section({{0, 0}, {4, 0}, {4, 4}, {0, 4}});
   LatticeSection moved = square;
