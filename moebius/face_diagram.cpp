@@ -100,20 +100,25 @@ CellDiagrams::CellDiagrams(const CellSites& sites, std::uint32_t word) : sites_(
   state_.resize(sites.mesh->size());
 }
 
-/// All points of a parallel face get the same height, whatever their kind rounds to: their arcs are lines
-/// then.
+/// All points of the parallel face get the same height, whatever their kind rounds to: their arcs are lines
+/// then. A convex cell has one such face at most, of any word.
 void CellDiagrams::measure_heights(std::uint32_t face) {
-  std::uint64_t parallel = 0;
-  double parallel_height = 0;
-  for (std::uint32_t g = 0; g < face_count_; ++g)
-    if (g != face && line_axis(frame(face).plane(), frame(g).plane()) < 0) {
-      parallel |= std::uint64_t{1} << g;
-      parallel_height = frame(face).height(make_point(frame(g).plane().origin));
-    }
-  for (std::uint32_t v = 0; v < sites_.points.size(); ++v)
-    if ((on(v) >> face & 1) == 0)
-      heights_[std::size_t{v} * face_count_ + face] =
-          (on(v) & parallel) != 0 ? parallel_height : frame(face).height(sites_.points[v]);
+  const LatticePlane& plane = frame(face).plane();
+  std::size_t opposite = 0;
+  while (opposite < sites_.faces.size() && (opposite == 64 * std::size_t{word_} + face ||
+                                            line_axis(plane, sites_.faces[opposite].plane()) >= 0))
+    ++opposite;
+  const bool has_opposite = opposite < sites_.faces.size();
+  const double opposite_height =
+      has_opposite ? frame(face).height(make_point(sites_.faces[opposite].plane().origin)) : 0;
+  for (std::uint32_t v = 0; v < sites_.points.size(); ++v) {
+    if ((on(v) >> face & 1) != 0) continue;
+    const bool is_opposite =
+        has_opposite &&
+        (sites_.on_faces[std::size_t{v} * sites_.words + opposite / 64] >> opposite % 64 & 1) != 0;
+    heights_[std::size_t{v} * face_count_ + face] =
+        is_opposite ? opposite_height : frame(face).height(sites_.points[v]);
+  }
 }
 
 /// Nearest nowhere in the region is a site that another one undercuts in each of its parts.

@@ -199,6 +199,47 @@ TEST_CASE("more than 64 faces") {
     CHECK(check_by_scan(arcs[f], sites_of(cell, f), square(5e5), 40, 0.1) > 100);
 }
 
+TEST_CASE("parallel faces further than 64 faces apart in the list") {
+  constexpr std::int64_t kStep = 1 << 20;
+  const LatticeVector e1{kStep + 7, 3 * kStep / 5, kStep / 3 + 1}, e2{-kStep / 2 - 3, kStep + 11, kStep / 7};
+  const LatticePlane bottom = make_lattice_plane({0, 0, -40000000}, e1, e2),
+                     top = make_lattice_plane({5, 3, 60000000}, e1, e2);
+  std::vector<LatticePlane> sides;
+  for (int i = 0; i < 70; ++i) {
+    const double a = 6.283185307179586 * (i + 0.3) / 70, x = std::cos(a), y = std::sin(a);
+    sides.push_back(make_lattice_plane({std::llround(3e8 * x), std::llround(3e8 * y), 0},
+                                       {std::llround(-kStep * y), std::llround(kStep * x), 0},
+                                       {3 * (i % 5) - 5, i % 7 - 3, kStep}));
+  }
+  // On the top explicit points, and rational ones whose height rounds differently.
+  LatticePointStore store;
+  std::vector<LatticePoint> points(24);
+  for (std::size_t i = 0; i < 24; ++i)
+    REQUIRE(store.meet(top, sides[3 * i], sides[(3 * i + 1) % 70], points[i]));
+  for (std::int64_t i = -5; i <= 5; ++i)
+    for (const auto& [plane, u, v] :
+         {std::tuple(top, 45 + i, 9 * i), {top, 9 * i, i * i}, {bottom, 9 * i, i * i}}) {
+      LatticeVector p = plane.origin;
+      for (std::size_t k = 0; k < 3; ++k) p[k] += u * e1[k] + v * e2[k];
+      points.push_back(make_point(p));
+    }
+  const auto arcs_of = [&](std::vector<LatticePlane> planes) {
+    Cell cell = cell_of(std::move(planes));
+    for (const LatticePoint& p : points)
+      if (cell.contains(p)) cell.add(p);
+    cell.finish();
+    return all_arcs(cell)[0];
+  };
+  std::vector<LatticePlane> near{bottom, top}, far{bottom};
+  near.insert(near.end(), sides.begin(), sides.end());
+  far.insert(far.end(), sides.begin(), sides.end());
+  far.push_back(top);
+  const std::vector<FaceArc> arcs = arcs_of(far);
+  CHECK(std::all_of(arcs.begin(), arcs.end(), [](const FaceArc& arc) { return arc.curve.is_line; }));
+  CHECK(arcs.size() > 60);
+  CHECK(same_bits(Diagrams{arcs}, Diagrams{arcs_of(near)}));
+}
+
 TEST_CASE("the order of the tetrahedra does not matter") {
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {
     Cell cell = box_cell(600);
