@@ -180,6 +180,14 @@ TEST_CASE("where confidences are in doubt, the sections around a cell tell that 
   CHECK(report.components.size() == 1);
 }
 
+TEST_CASE("the demo has the genus of what it is cut from: a speck of a section is not joined by the function") {
+  const auto r = reconstruct(load("demo.contour"));
+  REQUIRE(r.ok());
+  const CheckReport surface = check_surface(r->surface);
+  CHECK(surface.genus == 2);
+  CHECK(surface.components.size() == 1);
+}
+
 TEST_CASE("two balls with a gap stay two where several planes meet both in a cell") {
   // The function through the sections is a little above 0 in a gap that is narrower than its samples are
   // apart: these two are one unless the planes count that had to miss a join between them.
@@ -245,6 +253,22 @@ TEST_CASE("a request hears of contours that lie on lines of planes") {
   REQUIRE(two.ok());
   CHECK(two->report.topology.joins == 0);
   CHECK(check_surface(two->surface).components.size() == 2);
+}
+
+TEST_CASE("a request finds a way where the cut leaves none between two sections") {
+  Sections far;
+  far.planes.push_back(disk({0, 0, 1}, {0, 0, 0}, 1, 16));
+  far.planes.push_back(disk({0, 0, 1}, {4, 0, 0.5}, 1, 16));
+  Options options;
+  options.natural.alone_confidence = 1;  // nor does the second look
+  const auto two = reconstruct(far, options);
+  REQUIRE(two.ok());
+  CHECK(check_surface(two->surface).components.size() == 2);
+  options.joins.push_back({0, 0, 1, 0, true});
+  const auto one = reconstruct(far, options);
+  REQUIRE(one.ok());
+  CHECK(one->report.topology.joins == 1);
+  CHECK(check_surface(one->surface).components.size() == 1);
 }
 
 TEST_CASE("a join below the wanted confidence is refused and reported, and a request overrides that") {
