@@ -1,7 +1,7 @@
 #pragma once
 /// What reports say to the user, in the same words of a whole and of a stack in windows.
 
-#include <cstdint>
+#include <cstddef>
 #include <string>
 
 namespace crossloft {
