@@ -51,7 +51,7 @@ PruneMode mode_named(const std::string& name) {
 
 /// The files that were asked for, one after the other; each appears whole or not at all.
 Result<Done> write_results(const Arguments& arguments, const Reconstruction& result, const Repair& repair,
-                           const Image& picture, const BranchingDrawings& drawings, const Context& context) {
+                           const BranchingDrawings& drawings, const Context& context) {
   Result<Done> written = write_surface(arguments.surface, result.surface, context);
   if (written && !arguments.solid.empty()) written = write_solid(arguments.solid, result.solid, context);
   if (written && !arguments.sections.empty()) {
@@ -61,9 +61,6 @@ Result<Done> write_results(const Arguments& arguments, const Reconstruction& res
     const RepairOrigin repaired{repair, arguments.repair_options};
     written = write_file(arguments.report, report_json(result.report, {arguments.input, arguments.options},
                                                        arguments.repair ? &repaired : nullptr));
-  }
-  if (written && !arguments.picture.empty()) {
-    written = write_png(arguments.picture, picture);
   }
   if (written && !arguments.drawings.empty()) written = drawings.write(arguments.drawings);
   return written;
@@ -96,11 +93,12 @@ ExitCode run(Arguments arguments) {
   BranchingDrawings drawings;
   const auto result = reconstruct(*sections, arguments.options, context, draw ? &drawings : nullptr);
   if (!result) return terminal.fail(result.error());
-  Image picture;
-  if (!arguments.picture.empty()) picture = draw_picture(result->sections, result->surface, arguments.view);
   if (context.cancelled()) return terminal.fail(make_error(ErrorCode::cancelled, "interrupted"));
   pass_over_interrupts();  // from here on the files appear, all of them
-  const auto written = write_results(arguments, *result, repair, picture, drawings, context);
+  auto written = write_results(arguments, *result, repair, drawings, context);
+  // The last one: whatever becomes of it, the others are there.
+  if (written && !arguments.picture.empty())
+    written = write_png(arguments.picture, draw_picture(result->sections, result->surface, arguments.view));
   if (!written) return terminal.fail(written.error());
   if (is_beside(result->sections, result->surface, arguments.view))
     terminal.say(LogLevel::warning, "--picture-of: the data are further from there than the length given");
