@@ -42,6 +42,8 @@ class ContourChains {
     const auto list = around(v);
     return {other_end(list[0], v), other_end(list[1], v)};
   }
+  /// REQUIRES: degree 2.
+  std::array<std::uint32_t, 2> walls_at(std::uint32_t v) const { return {around(v)[0], around(v)[1]}; }
   /// True iff there is a wall between them.
   bool joined(std::uint32_t u, std::uint32_t w) const;
   /// How many vertices a wall in place of the two at v would have replaced. REQUIRES: degree 2.
@@ -56,8 +58,8 @@ class ContourChains {
     return keep(v) && std::all_of(first.begin(), first.end(), keep) &&
            std::all_of(second.begin(), second.end(), keep);
   }
-  /// One wall takes the place of the two at v. REQUIRES: degree 2, two different neighbours that are not
-  /// joined.
+  /// The first of the two walls at v takes the place of both. REQUIRES: degree 2, two different neighbours
+  /// that are not joined.
   void remove(std::uint32_t v);
   /// Calls visit(wall, vertex) for each vertex that was removed and the wall that is in its place now.
   template <class Visit>

@@ -172,9 +172,9 @@ bool Cutter::cut(std::uint32_t plane, const Wall& wall, std::vector<Wall>& piece
 
 }  // namespace
 
-bool cut_at_planes(SectionGraph& graph, LatticePointStore& store, double snap) {
+bool cut_at_planes(SectionGraph& graph, LatticePointStore& store, double snap, const Context& context) {
   Cutter cutter(graph, store, snap);
-  for (std::uint32_t p = 0; p < graph.planes.size(); ++p) {
+  for (std::uint32_t p = 0; p < graph.planes.size() && !context.cancelled(); ++p) {
     const std::vector<Wall>& walls = graph.walls[p];
     const auto crosses = [&](const Wall& wall) { return crosses_a_plane(graph, wall); };
     if (std::none_of(walls.begin(), walls.end(), crosses)) continue;

@@ -24,6 +24,7 @@ class RunMerger {
   RunMerger(SectionGraph& graph, std::uint32_t plane, ContourPlaces& places)
       : graph_(graph),
         plane_(graph.planes[plane]),
+        walls_(graph.walls[plane]),
         chains_(graph.walls[plane], places),
         vertices_(places.vertices()) {
     tolerance_ = snapping_tolerance(plane_);
@@ -32,33 +33,83 @@ class RunMerger {
 
  private:
   std::vector<std::uint32_t> candidates() const;
-  bool near_segment(std::uint32_t u, std::uint32_t w, std::uint32_t v) const;
-  bool try_remove(std::uint32_t v);
+  bool near_segment(std::uint32_t u, std::uint32_t w, std::uint32_t v, double margin) const;
+  bool all_near(std::uint32_t u, std::uint32_t w, std::uint32_t v,
+                const std::vector<std::uint32_t>& hull) const;
+  std::vector<std::uint32_t> hull_without(std::uint32_t v) const;
+  void try_remove(std::uint32_t v);
 
   SectionGraph& graph_;
   LatticePlane plane_;
+  const std::vector<Wall>& walls_;
   ContourChains chains_;
   const std::vector<std::uint32_t>& vertices_;  ///< of the plane
   double tolerance_ = 0;
+  std::vector<std::vector<std::uint32_t>>
+      hulls_;  ///< by wall, once a vertex is removed: of those it replaced
 };
 
-/// v projects into the open segment uw and is within tolerance of it. Differences of explicit points are
-/// exact, the products are good to 2^-4 lattice units.
-bool RunMerger::near_segment(std::uint32_t u, std::uint32_t w, std::uint32_t v) const {
+/// v projects into the open segment uw and is within tolerance of it, all that with a margin. Differences of
+/// explicit points are exact, the products are good to 2^-4 lattice units.
+bool RunMerger::near_segment(std::uint32_t u, std::uint32_t w, std::uint32_t v, double margin) const {
   const Vec3 a = position(graph_.points[u]), d = position(graph_.points[w]) - a,
              p = position(graph_.points[v]) - a;
-  const double along = dot(p, d), length2 = dot(d, d);
-  return along > 0 && along < length2 && norm(cross(p, d)) <= tolerance_ * std::sqrt(length2);
+  const double along = dot(p, d), length2 = dot(d, d), length = std::sqrt(length2);
+  return along > margin * length && along < length2 - margin * length &&
+         norm(cross(p, d)) <= (tolerance_ - margin) * length;
 }
 
-bool RunMerger::try_remove(std::uint32_t v) {
+/// Whether near_segment() holds for v and all that its walls have replaced, whose convex hull is given. Where
+/// a straight side is sampled finely one wall grows along it, and asking all that it has replaced again each
+/// time would be quadratic. What is near is convex: if the corners of the hull are by more than twice the
+/// rounding, each point in it is, as rounded. Only where a corner is nearer to the limit all are asked.
+bool RunMerger::all_near(std::uint32_t u, std::uint32_t w, std::uint32_t v,
+                         const std::vector<std::uint32_t>& hull) const {
+  constexpr double kMargin = 0.25;
+  const auto near = [&](double margin) {
+    return [this, u, w, margin](std::uint32_t p) { return near_segment(u, w, p, margin); };
+  };
+  if (std::all_of(hull.begin(), hull.end(), near(kMargin))) return true;
+  return std::all_of(hull.begin(), hull.end(), near(0)) && chains_.all_replaced_without(v, near(0));
+}
+
+/// The corners of the convex hull of v and all that its walls have replaced. All are vertices as framing left
+/// them, whose numbers are in lexicographic order: along some direction of the plane.
+std::vector<std::uint32_t> RunMerger::hull_without(std::uint32_t v) const {
+  std::vector<std::uint32_t> all{v}, hull;
+  if (!hulls_.empty())
+    for (const std::uint32_t wall : chains_.walls_at(v))
+      all.insert(all.end(), hulls_[wall].begin(), hulls_[wall].end());
+  if (all.size() < 3) return all;
+  std::sort(all.begin(), all.end());
+  const auto turn = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    return orient2d(plane_, graph_.points[a], graph_.points[b], graph_.points[c]);
+  };
+  for (const int way : {1, -1}) {
+    const std::size_t first = hull.size();
+    for (const std::uint32_t p : all) {
+      while (hull.size() >= first + 2 && way * turn(hull[hull.size() - 2], hull.back(), p) <= 0)
+        hull.pop_back();
+      hull.push_back(p);
+    }
+  }
+  std::sort(hull.begin(), hull.end());
+  hull.erase(std::unique(hull.begin(), hull.end()), hull.end());
+  return hull;
+}
+
+void RunMerger::try_remove(std::uint32_t v) {
   const auto [u, w] = chains_.neighbours(v);
-  const auto near = [&, u = u, w = w](std::uint32_t p) { return near_segment(u, w, p); };
-  if (!chains_.all_replaced_without(v, near)) return false;
-  if (u == w || chains_.joined(u, w)) return false;
-  if (orient2d(plane_, graph_.points[u], graph_.points[w], graph_.points[v]) == 0) return false;
+  if (u == w || chains_.joined(u, w) || !near_segment(u, w, v, 0)) return;
+  if (orient2d(plane_, graph_.points[u], graph_.points[w], graph_.points[v]) == 0) return;
+  std::vector<std::uint32_t> hull = hull_without(v);
+  if (!all_near(u, w, v, hull)) return;
+  const auto [stays, goes] = chains_.walls_at(v);
+  if (hulls_.empty()) hulls_.resize(walls_.size());
+  hulls_[stays] = std::move(hull);
+  hulls_[goes] = {};
   chains_.remove(v);
-  return true;
+  ++graph_.statistics.merged_collinear;
 }
 
 /// Vertices of degree 2 in the interior of a face, by coordinates: by number, as framing left them, since all
@@ -72,8 +123,7 @@ std::vector<std::uint32_t> RunMerger::candidates() const {
 }
 
 void RunMerger::run() {
-  for (const std::uint32_t v : candidates())
-    if (try_remove(v)) ++graph_.statistics.merged_collinear;
+  for (const std::uint32_t v : candidates()) try_remove(v);
   chains_.finish();
 }
 
@@ -280,9 +330,10 @@ Location wall_location(const SectionGraph& graph, const Arrangement& arrangement
   return arrangement.locate({positive, zero});
 }
 
-void merge_collinear_runs(SectionGraph& graph) {
+void merge_collinear_runs(SectionGraph& graph, const Context& context) {
   ContourPlaces places(graph.size());
-  for (std::uint32_t p = 0; p < graph.planes.size(); ++p) RunMerger(graph, p, places).run();
+  for (std::uint32_t p = 0; p < graph.planes.size() && !context.cancelled(); ++p)
+    RunMerger(graph, p, places).run();
 }
 
 void drop_bare_vertices(SectionGraph& graph, const Context& context) {

@@ -135,19 +135,20 @@ Result<SectionGraph> build_section_graph(const FramedSections& framed, const Arr
   SectionGraph graph = steps::start(framed);
   if (!steps::join_touching(graph, tolerances.on, context))
     return make_error(ErrorCode::cancelled, "cancelled");
-  steps::move_onto_lines(graph, framed, store, tolerances.on);
-  if (context.cancelled()) return make_error(ErrorCode::cancelled, "cancelled");
-  if (!steps::cut_at_planes(graph, store, tolerances.on))
+  steps::move_onto_lines(graph, framed, store, tolerances.on, context);
+  if (!steps::cut_at_planes(graph, store, tolerances.on, context))
     return make_error(ErrorCode::internal, "a contour could not be cut at the planes");
-  steps::match_crossings(graph, arrangement, store, tolerances.match);
   if (context.cancelled()) return make_error(ErrorCode::cancelled, "cancelled");
-  steps::merge_collinear_runs(graph);
+  steps::match_crossings(graph, arrangement, store, tolerances.match, context);
+  if (context.cancelled()) return make_error(ErrorCode::cancelled, "cancelled");
+  steps::merge_collinear_runs(graph, context);
   std::vector<steps::SoundPlane> planes;
   if (!steps::unify(graph, arrangement, planes, context))
     return make_error(ErrorCode::cancelled, "cancelled");
   if (auto checked = check_crossings(graph, planes, context); !checked) return checked.error();
   if (tolerances.simplify > 0) {
     steps::simplify_contours(graph, tolerances.simplify, context);
+    if (context.cancelled()) return make_error(ErrorCode::cancelled, "cancelled");
     planes.assign(planes.size(), {});
     if (auto checked = check_crossings(graph, planes, context); !checked) return checked.error();
   }
@@ -157,6 +158,19 @@ Result<SectionGraph> build_section_graph(const FramedSections& framed, const Arr
   return graph;
 }
 
+namespace {
+
+/// Vertices in the interior of arrangement edges: the edge, then the vertex, ascending.
+std::vector<std::array<std::uint32_t, 2>> vertices_on_edges(const SectionGraph& graph) {
+  std::vector<std::array<std::uint32_t, 2>> list;
+  for (std::uint32_t v = 0; v < graph.size(); ++v)
+    if (graph.locations[v].dimension == 1) list.push_back({graph.locations[v].index, v});
+  std::sort(list.begin(), list.end());
+  return list;
+}
+
+}  // namespace
+
 std::string verify(const SectionGraph& graph, const Arrangement& arrangement) {
   for (std::uint32_t v = 0; v < graph.size(); ++v) {
     if (v > 0 && compare_lex(graph.points[v - 1], graph.points[v]) >= 0) return "vertices out of order";
@@ -164,6 +178,11 @@ std::string verify(const SectionGraph& graph, const Arrangement& arrangement) {
     for (std::uint32_t p = 0; p < graph.planes.size(); ++p)
       if (graph.sign(v, p) != side_of_plane(graph.planes[p], graph.points[v])) return "a wrong sign";
   }
+  const auto on_edges = vertices_on_edges(graph);
+  const auto is_cut = [&](const Wall& w, const Location& at) {  // vertices are in order along the edge too
+    const auto next = std::lower_bound(on_edges.begin(), on_edges.end(), std::array{at.index, w.a + 1});
+    return next == on_edges.end() || (*next)[0] != at.index || (*next)[1] >= w.b;
+  };
   for (std::uint32_t p = 0; p < graph.planes.size(); ++p) {
     std::vector<std::uint32_t> degree(graph.size(), 0);
     for (std::size_t i = 0; i < graph.walls[p].size(); ++i) {
@@ -173,6 +192,8 @@ std::string verify(const SectionGraph& graph, const Arrangement& arrangement) {
       if (!at.found() || at.dimension == 0 || at.dimension == 3) return "a wall that crosses a plane";
       const Location told = graph.wall_locations[p][i];
       if (told.dimension != at.dimension || told.index != at.index) return "a wall in the wrong place";
+      if (at.dimension == 1 && !is_cut(w, at))
+        return "a wall with a vertex of another section in its interior";
       ++degree[w.a], ++degree[w.b];
     }
     if (std::any_of(degree.begin(), degree.end(), [](auto d) { return d % 2 != 0; }))

@@ -97,14 +97,17 @@ struct CrossingTolerances {
 /// sections are matched, collinear runs merged, contours simplified if a tolerance is given, arrangement
 /// vertices inside closed sections added, walls oriented. `store` owns the new points and must be the one
 /// that the arrangement was built with. Errors: self_crossing, cancelled. Complexity: O(n k) sign tests for n
-/// vertices and k planes; simplifying O(n log n) more where few vertices lie in the boxes of the pieces that
-/// are replaced.
+/// vertices and k planes, k counting those that are not parallel; O(n log n) for numbering and matching and,
+/// as contours mostly are, for conflicts, inner sides, straightening and simplifying: where many walls share
+/// the strips and boxes of their locators, or many vertices lie in the boxes of the pieces that are replaced,
+/// O(n^2).
 Result<SectionGraph> build_section_graph(const FramedSections& framed, const Arrangement& arrangement,
                                          LatticePointStore& store, const CrossingTolerances& tolerances,
                                          const Context& context);
 
-/// Empty if the graph keeps its invariants: exact signs, walls in one element each, the one it tells, even
-/// degrees, no conflicts, inner sides as even-odd has them.
+/// Empty if the graph keeps its invariants: exact signs, walls in one element each, the one it tells, on
+/// arrangement edges cut at the vertices of all sections there, even degrees, no conflicts, inner sides as
+/// even-odd has them.
 std::string verify(const SectionGraph& graph, const Arrangement& arrangement);
 
 }  // namespace crossloft

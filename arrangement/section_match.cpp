@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <queue>
+#include <tuple>
 
 #include "../geom/plane_line.h"
 #include "section_steps.h"
@@ -39,6 +41,72 @@ bool disjoint_planes(const Cluster& a, const Cluster& b) {
   return true;
 }
 
+/// The pairs of neighbours along an edge that may be joined: of disjoint planes, within the tolerance.
+class NearPairs {
+ public:
+  NearPairs(const std::vector<Cluster>& clusters, double tolerance);
+  /// The lower one of the nearest pair, the first along the edge on a tie; kNone if there is none.
+  std::uint32_t nearest();
+  std::uint32_t next(std::uint32_t m) const { return next_[m]; }
+  /// To be told when m has taken in its next one, which is out of the list then.
+  void joined(std::uint32_t m);
+
+ private:
+  struct Pair {
+    double gap = 0;
+    std::uint32_t lower = 0, version = 0;  ///< out of date if a later one begins there
+    friend bool operator>(const Pair& x, const Pair& y) {
+      return std::tie(x.gap, x.lower) > std::tie(y.gap, y.lower);
+    }
+  };
+  void measure(std::uint32_t m);
+
+  const std::vector<Cluster>& clusters_;
+  double tolerance_;
+  std::vector<std::uint32_t> next_, previous_, version_;  ///< kNone beyond the ends
+  std::priority_queue<Pair, std::vector<Pair>, std::greater<>> queue_;
+};
+
+NearPairs::NearPairs(const std::vector<Cluster>& clusters, double tolerance)
+    : clusters_(clusters),
+      tolerance_(tolerance),
+      next_(clusters.size()),
+      previous_(clusters.size()),
+      version_(clusters.size(), 0) {
+  const auto count = static_cast<std::uint32_t>(clusters.size());
+  for (std::uint32_t m = 0; m < count; ++m) {
+    previous_[m] = m == 0 ? kNone : m - 1;
+    next_[m] = m + 1 == count ? kNone : m + 1;
+    measure(m);
+  }
+}
+
+/// Puts m and its next one into the queue if they may be joined; outdates what was said of m before.
+void NearPairs::measure(std::uint32_t m) {
+  const std::uint32_t version = ++version_[m], n = next_[m];
+  if (n == kNone) return;
+  const double width = gap(clusters_[m], clusters_[n]);
+  if (width <= tolerance_ && disjoint_planes(clusters_[m], clusters_[n])) queue_.push({width, m, version});
+}
+
+std::uint32_t NearPairs::nearest() {
+  while (!queue_.empty()) {
+    const Pair pair = queue_.top();
+    queue_.pop();
+    if (pair.version == version_[pair.lower]) return pair.lower;
+  }
+  return kNone;
+}
+
+void NearPairs::joined(std::uint32_t m) {
+  const std::uint32_t gone = next_[m];
+  ++version_[gone];
+  next_[m] = next_[gone];
+  if (next_[m] != kNone) previous_[next_[m]] = m;
+  measure(m);
+  if (previous_[m] != kNone) measure(previous_[m]);
+}
+
 class Matcher {
  public:
   Matcher(SectionGraph& graph, const Arrangement& arrangement, LatticePointStore& store, double tolerance)
@@ -47,7 +115,7 @@ class Matcher {
         store_(store),
         tolerance_(tolerance),
         changed_(graph.planes.size(), 0) {}
-  void run();
+  void run(const Context& context);
 
  private:
   std::vector<OnEdge> collect() const;
@@ -116,22 +184,16 @@ bool Matcher::join(std::uint32_t edge, Cluster& a, Cluster& b) {
   return true;
 }
 
-/// Neighbours of disjoint planes, the narrowest gap first, the first along the edge on a tie.
+/// Neighbours of disjoint planes, the narrowest gap first.
 void Matcher::merge_nearest(std::vector<Cluster>& clusters) {
-  for (;;) {
-    std::size_t best = clusters.size();
-    double narrowest = tolerance_;
-    for (std::size_t m = 0; m + 1 < clusters.size(); ++m) {
-      const double g = gap(clusters[m], clusters[m + 1]);
-      if (g > narrowest || (g == narrowest && best != clusters.size())) continue;
-      if (!disjoint_planes(clusters[m], clusters[m + 1])) continue;
-      best = m;
-      narrowest = g;
-    }
-    if (best == clusters.size()) return;
-    if (!join(clusters[best].members[0].edge, clusters[best], clusters[best + 1])) return;
-    clusters.erase(clusters.begin() + static_cast<std::ptrdiff_t>(best) + 1);
+  NearPairs pairs(clusters, tolerance_);
+  for (std::uint32_t m = pairs.nearest(); m != kNone; m = pairs.nearest()) {
+    Cluster& gone = clusters[pairs.next(m)];
+    if (!join(clusters[m].members[0].edge, clusters[m], gone)) break;
+    gone.members.clear();
+    pairs.joined(m);
   }
+  std::erase_if(clusters, [](const Cluster& cluster) { return cluster.members.empty(); });
 }
 
 void Matcher::apply(const std::vector<Cluster>& clusters) {
@@ -223,13 +285,14 @@ std::vector<std::vector<Cluster>> Matcher::by_edge() const {
   return edges;
 }
 
-void Matcher::run() {
+void Matcher::run(const Context& context) {
   for (std::vector<Cluster>& clusters : by_edge()) {
+    if (context.cancelled()) return;
     merge_nearest(clusters);
     apply(clusters);
     count_unpaired(clusters);
   }
-  while (!moves_.empty() && undo_crossing_contours()) {
+  while (!context.cancelled() && !moves_.empty() && undo_crossing_contours()) {
   }
   for (const double g : merge_gaps_)
     graph_.statistics.largest_gap = std::max(graph_.statistics.largest_gap, g);
@@ -239,8 +302,8 @@ void Matcher::run() {
 }  // namespace
 
 void match_crossings(SectionGraph& graph, const Arrangement& arrangement, LatticePointStore& store,
-                     double tolerance) {
-  Matcher(graph, arrangement, store, tolerance).run();
+                     double tolerance, const Context& context) {
+  Matcher(graph, arrangement, store, tolerance).run(context);
 }
 
 }  // namespace crossloft::section_steps

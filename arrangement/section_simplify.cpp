@@ -208,7 +208,8 @@ void Simplifier::run() {
 
 void simplify_contours(SectionGraph& graph, double tolerance, const Context& context) {
   ContourPlaces places(graph.size());
-  for (std::uint32_t p = 0; p < graph.planes.size(); ++p) Simplifier(graph, p, places, tolerance).run();
+  for (std::uint32_t p = 0; p < graph.planes.size() && !context.cancelled(); ++p)
+    Simplifier(graph, p, places, tolerance).run();
   drop_bare_vertices(graph, context);
 }
 

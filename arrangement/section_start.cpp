@@ -210,11 +210,11 @@ bool join_touching(SectionGraph& graph, double tolerance, const Context& context
 }
 
 void move_onto_lines(SectionGraph& graph, const FramedSections& framed, LatticePointStore& store,
-                     double tolerance) {
+                     double tolerance, const Context& context) {
   const LatticeBox box = data_box(framed);
   std::vector<std::uint32_t> near;
   std::uint32_t base = 0;
-  for (std::uint32_t i = 0; i < graph.planes.size(); ++i) {
+  for (std::uint32_t i = 0; i < graph.planes.size() && !context.cancelled(); ++i) {
     const std::vector<Vec3>& inputs = framed.planes[i].input;
     const auto first = std::exchange(base, base + static_cast<std::uint32_t>(inputs.size()));
     std::vector<NearPlane> across;

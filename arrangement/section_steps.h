@@ -1,5 +1,6 @@
 #pragma once
-/// The steps of build_section_graph, in order; internal to arrangement/.
+/// The steps of build_section_graph, in order; internal to arrangement/. What a step leaves is of no use if
+/// the context has been cancelled.
 
 #include "section_graph.h"
 
@@ -27,20 +28,20 @@ bool join_touching(SectionGraph& graph, double tolerance, const Context& context
 /// Not if the way is longer than a quarter of its shorter edge or leads out of data_box(). REQUIRES: vertices
 /// numbered as start() left them.
 void move_onto_lines(SectionGraph& graph, const FramedSections& framed, LatticePointStore& store,
-                     double tolerance);
+                     double tolerance, const Context& context);
 
 /// Cuts every wall at every plane that it crosses. New vertices are line points, rounded along the line to an
 /// integer coordinate such that no sign against another plane changes, else the arrangement vertex in the
 /// way. False if a wall could not be brought to an end (a defect).
-bool cut_at_planes(SectionGraph& graph, LatticePointStore& store, double snap);
+bool cut_at_planes(SectionGraph& graph, LatticePointStore& store, double snap, const Context& context);
 
 /// Match: crossings of different sections on one arrangement edge merge by growing gap.
 void match_crossings(SectionGraph& graph, const Arrangement& arrangement, LatticePointStore& store,
-                     double tolerance);
+                     double tolerance, const Context& context);
 
 /// Drops vertices of degree 2 that lie in the interior of a face and within a few lattice steps of the
 /// segment that replaces them, but not exactly on it.
-void merge_collinear_runs(SectionGraph& graph);
+void merge_collinear_runs(SectionGraph& graph, const Context& context);
 
 /// The arrangement vertices on a plane but not on the box, and which of them are outside of its closed
 /// section.
@@ -69,7 +70,7 @@ bool unify(SectionGraph& graph, const Arrangement& arrangement, std::vector<Soun
 /// planes: see section_simplify.cpp. REQUIRES: unify() done, contours don't cross.
 void simplify_contours(SectionGraph& graph, double tolerance, const Context& context = {});
 
-/// Takes out the vertices without a wall. Of no use if the context has been cancelled.
+/// Takes out the vertices without a wall.
 void drop_bare_vertices(SectionGraph& graph, const Context& context);
 
 /// Adds the arrangement vertices that lie in the closed section of one of their planes. Walls stay what they
