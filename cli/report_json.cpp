@@ -131,6 +131,7 @@ Json lines_part(const Report& r) {
           {"matched", r.matched_crossings},
           {"on_line_vertices", r.on_line_vertices},
           {"largest_match_gap", r.largest_match_gap},
+          {"undone_matches", r.undone_matches},
           {"disagreeing_vertices", r.disagreeing_vertices},
           {"unmatched", to_json(r.unmatched)}};
 }

@@ -83,6 +83,7 @@ void Pipeline::report_crossings() {
   report.crossings = s.crossings;
   report.matched_crossings = s.matched;
   report.largest_match_gap = s.largest_gap * framed_.grid.unit();
+  report.undone_matches = s.undone;
   report.disagreeing_vertices = s.disagreeing;
   report.merged_collinear = s.merged_collinear;
   report.simplified_vertices = s.simplified;

@@ -98,6 +98,7 @@ struct Report {
   std::uint32_t crossings = 0, matched_crossings = 0;
   std::vector<UnmatchedCrossing> unmatched;
   double largest_match_gap = 0;  ///< longest way between two crossings that were matched
+  std::uint32_t undone_matches = 0;  ///< taken back because contours of a section would have crossed
   std::uint32_t disagreeing_vertices =
       0;  ///< arrangement vertices that are inside one section and outside another
   std::uint32_t merged_collinear = 0;     ///< vertices dropped that snapping bent off a straight run
