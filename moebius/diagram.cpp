@@ -23,7 +23,7 @@ MoebiusCurve circle_of(const MoebiusSite& i, const MoebiusSite& j) {
   const MoebiusSite &base = i_is_base ? i : j, &other = i_is_base ? j : i;
   const Vec2 d = other.p - base.p;
   const double l = other.lambda - base.lambda;
-  const double squared = (base.lambda * other.lambda * dot(d, d) + l * (other.mu - base.mu)) / (l * l);
+  const double squared = rounded_circle_extent(base, other) / (l * l);
   return {false, base.p + other.lambda / l * d, std::sqrt(std::max(squared, 0.0)), {}};
 }
 

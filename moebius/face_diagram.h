@@ -11,7 +11,9 @@
 /// Memari, Shape reconstruction from unorganized cross-sections (2007), for the diagrams.
 ///
 /// A Voronoi vertex is inside the surface or not; that one bit per tetrahedron and face, rounded or not,
-/// decides the structure. So arcs always fit together: where three of them meet, they end at the same bits.
+/// decides the structure. So arcs fit together: where three of them meet, they end at the same bits. But for
+/// arcs with an end that no double holds, as where three sites are on a line within rounding: these are left
+/// out, and those that they met end alone there.
 
 #include <algorithm>
 #include <array>

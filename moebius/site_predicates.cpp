@@ -106,6 +106,14 @@ RoundedLine rounded_line(const MoebiusSite& i, const MoebiusSite& j, const Moebi
           exact.a.rounded(),  exact.b.rounded(),  exact.product().rounded(), exact.discriminant().rounded()};
 }
 
+/// circle_extent() of the row of `other`, with all that cancels in one sum.
+template <class T>
+T extent_of_circle(const MoebiusSite& base, const MoebiusSite& other) {
+  const T dx = T(other.p.x) - T(base.p.x), dy = T(other.p.y) - T(base.p.y);
+  const T l = T(other.lambda) - T(base.lambda);
+  return T(base.lambda) * T(other.lambda) * (dx * dx + dy * dy) + l * (T(other.mu) - T(base.mu));
+}
+
 /// Whether the permutation that `sort` made is odd; sorts three sites by position.
 bool sort_by_position(const SitePredicates& sites, std::array<std::uint32_t, 3>& s) {
   bool odd = false;
@@ -233,6 +241,11 @@ std::array<Vec2, 2> SitePredicates::crossings(std::uint32_t i, std::uint32_t j, 
   auto points = crossings_of(rounded_line(sites_[s[0]], sites_[s[1]], sites_[s[2]]), sites_[s[0]].p);
   if (odd) std::swap(points[0], points[1]);
   return points;
+}
+
+double rounded_circle_extent(const MoebiusSite& base, const MoebiusSite& other) {
+  const Bounded extent = extent_of_circle<Bounded>(base, other);
+  return is_sharp(extent) ? extent.value : extent_of_circle<Dyadic>(base, other).rounded();
 }
 
 }  // namespace crossloft

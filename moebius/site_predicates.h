@@ -75,6 +75,9 @@ class SitePredicates {
   double extent_ = 0;        ///< of the places, halved
 };
 
+/// circle_extent() of site_rows.h in doubles, 35 good bits at least. REQUIRES: lambdas differ.
+double rounded_circle_extent(const MoebiusSite& base, const MoebiusSite& other);
+
 static_assert(PowerPredicates3<SitePredicates>);
 
 }  // namespace crossloft

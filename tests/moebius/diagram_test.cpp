@@ -89,6 +89,16 @@ TEST_CASE("two sites: a line or a circle") {
   CHECK(checked({{{0, 0}}, {{3, 0}, 4, -11}}, 4, 8).arcs.size() == 1);
 }
 
+TEST_CASE("a circle keeps its radius where all digits cancel") {
+  const double far = 3 * 0x1p27;
+  const std::vector<MoebiusSite> sites{{{0, 0}, 1, -3}, {{far, 0}, 4, -12 * 0x1p54}};
+  const auto diagram = moebius_diagram(sites);
+  REQUIRE(diagram.ok());
+  REQUIRE(diagram->arcs.size() == 1);
+  CHECK(diagram->arcs[0].curve.radius == 1);
+  CHECK(diagram->arcs[0].curve.centre == Vec2{-far / 3, 0});
+}
+
 TEST_CASE("concentric sites: annuli") {
   const MoebiusDiagram diagram =
       checked({{{1, 1}, 1, -3}, {{1, 1}, 4, 0}, {{1, 1}, 2, -1}, {{1, 1}, 3, -9}}, 4, 16);
