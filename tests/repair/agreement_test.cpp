@@ -142,6 +142,23 @@ TEST_CASE("nothing moves beyond the limit, and what is left is listed") {
   }
 }
 
+// The tip of the triangle becomes a spike where the crossing with the square cuts it short; its removal
+// starts another pass, which told all that was left once more.
+TEST_CASE("what several passes leave is told once") {
+  Sections sections{"", {plane_at({0, 0, 1}, {0, 0, 0}), plane_at({1, 0, 0}, {0, 0, 0})}};
+  add_contour(sections.planes[0], square(0, 0, 0, 1));
+  add_contour(sections.planes[0], {{1.0005, 0, 0}, {0.5, 5e-5, 0}, {0.5, -5e-5, 0}}, 1);
+  add_contour(sections.planes[1], {{0, -0.8, -1}, {0, 0.8, -1}, {0, 0.8, 1}, {0, -0.8, 1}});
+  const Repair repair = repaired(sections, 1e-3);
+  REQUIRE(std::any_of(repair.changes.begin(), repair.changes.end(),
+                      [](const RepairChange& c) { return c.kind == RepairKind::spikes; }));
+  std::set<std::pair<std::uint32_t, Vec3>> places;
+  for (const RepairChange& c : repair.changes)
+    if (c.kind == RepairKind::left_as_it_is) places.insert({c.plane, c.point});
+  CHECK(repair.left > 0);
+  CHECK(repair.left == places.size());
+}
+
 TEST_CASE("the order of planes, vertices and edges does not matter") {
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
     CAPTURE(seed);
