@@ -96,7 +96,7 @@ TEST_CASE("a circle keeps its radius where all digits cancel") {
   REQUIRE(diagram.ok());
   REQUIRE(diagram->arcs.size() == 1);
   CHECK(diagram->arcs[0].curve.radius == 1);
-  CHECK(diagram->arcs[0].curve.centre == Vec2{-far / 3, 0});
+  CHECK(diagram->arcs[0].curve.centre == Vec2{4 * far / 3, 0});
 }
 
 TEST_CASE("concentric sites: annuli") {
