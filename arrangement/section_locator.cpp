@@ -9,57 +9,46 @@
 namespace crossloft {
 namespace {
 
-/// What is flat along one axis is asked along the other: of a strip all walls may be at one level.
-constexpr double kFarMore = 4;
-
-/// Of all walls along an axis.
-struct Levels {
-  double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
-  double spans = 0;  ///< of all walls, added up
-
-  void add(double low, double high) {
-    lowest = std::min(lowest, low);
-    highest = std::max(highest, high);
-    spans += high - low;
-  }
-  /// On average.
-  double walls_at_one() const { return spans > 0 ? spans / (highest - lowest) : 0; }
-};
+/// Walls in the strips of a wall, on average, from which on there are strips of the other axis as well: some
+/// 80 are in nine strips, but thousands may be at one level, of a flat section or of one side of a rectangle.
+constexpr std::size_t kCrowd = 512;
 
 }  // namespace
 
 SectionLocator::SectionLocator(const LatticePlane& plane, std::span<const LatticePoint> points,
                                std::span<const WallEnds> walls)
+    : SectionLocator(plane, points, walls, false) {
+  if (is_crowded()) other_.reset(new SectionLocator(plane, points, walls, true));
+}
+
+SectionLocator::SectionLocator(const LatticePlane& plane, std::span<const LatticePoint> points,
+                               std::span<const WallEnds> walls, bool swapped)
     : plane_(plane), points_(points), walls_(walls) {
   const int k = dominant_axis(plane.normal);
   first_ = (k + 1) % 3;
   second_ = (k + 2) % 3;
   left_side_ = plane.normal[static_cast<std::size_t>(k)] > 0 ? 1 : -1;
+  if (swapped) std::swap(first_, second_), left_side_ = -left_side_;
   measure();
-  Levels levels, others;
-  for (const Box& box : boxes_) levels.add(box.low, box.high), others.add(box.left, box.right);
-  if (levels.walls_at_one() > kFarMore * (1 + others.walls_at_one())) {
-    levels = others;
-    std::swap(first_, second_);
-    left_side_ = -left_side_;
-    measure();
-  }
   const auto count = static_cast<double>(walls.size());
+  double lowest = std::numeric_limits<double>::infinity(), highest = -lowest, spans = 0;
+  for (const Box& box : boxes_) {
+    lowest = std::min(lowest, box.low);
+    highest = std::max(highest, box.high);
+    spans += box.high - box.low;
+  }
   // As many strips as walls, fewer where walls are long: each wall is in 1 + strips * span / height of them,
   // which this bounds by 9 on average.
-  const double wanted = levels.spans > 0 ? 8.0 * count / levels.walls_at_one() : 1;
+  const double wanted = spans > 0 ? 8.0 * count * ((highest - lowest) / spans) : 1;
   const std::uint32_t strips = walls.empty() ? 1 : static_cast<std::uint32_t>(std::clamp(wanted, 1.0, count));
-  origin_ = walls.empty() ? 0 : levels.lowest;
+  origin_ = walls.empty() ? 0 : lowest;
   last_strip_ = strips - 1.0;
-  inverse_ =
-      !walls.empty() && levels.highest > levels.lowest ? strips / (levels.highest - levels.lowest) : 0.0;
+  inverse_ = !walls.empty() && highest > lowest ? strips / (highest - lowest) : 0.0;
   fill_strips(strips);
 }
 
 /// Walls upward, and their boxes.
 void SectionLocator::measure() {
-  ordered_.clear();
-  boxes_.clear();
   ordered_.reserve(walls_.size());
   boxes_.reserve(walls_.size());
   for (const WallEnds& w : walls_) {
@@ -86,6 +75,16 @@ void SectionLocator::fill_strips(std::uint32_t strips) {
   starts_.pop_back();  // each has moved on to where the next one begins
 }
 
+bool SectionLocator::is_crowded() const {
+  std::size_t together = 0;
+  for (std::uint32_t s = 0; s + 1 < starts_.size(); ++s) together += strip(s).size() * strip(s).size();
+  return together > kCrowd * walls_.size();
+}
+
+std::size_t SectionLocator::walls_around(std::uint32_t w) const {
+  return starts_[strips_[w].last + std::size_t{1}] - starts_[strips_[w].first];
+}
+
 inline std::uint32_t SectionLocator::strip_of(double level) const {
   const double s = (level - origin_) * inverse_;
   return static_cast<std::uint32_t>(std::clamp(s, 0.0, last_strip_));
@@ -106,10 +105,11 @@ inline int SectionLocator::side_of(std::uint32_t w, const LatticePoint& p) const
 
 SectionLocator::Count SectionLocator::count(const LatticePoint& p, const LatticePoint* toward,
                                             std::uint32_t skip) const {
+  if (asks_other(p)) return other_->count(p, toward, skip);
   Count result;
   const bool upward = toward == nullptr || compare_level(p, *toward) < 0;
   const double level = p[second_];
-  for (const std::uint32_t w : strip(strip_of(level))) {
+  for (const std::uint32_t w : strip_at(p)) {
     if (boxes_[w].high < level || boxes_[w].low > level || w == skip) continue;
     const int from_low = compare_level(low(w), p), from_high = compare_level(high(w), p);
     if (from_low == 0 || from_high == 0) {
@@ -139,6 +139,7 @@ bool SectionLocator::inside_toward(const LatticePoint& p, const LatticePoint& q)
 }
 
 bool SectionLocator::inside_left(std::uint32_t w) const {
+  if (asks_other(points_[walls_[w].a])) return other_->inside_left(w);
   // A wall counts for the points on the left of its upward direction. Just left of w the walls other than w
   // decide, plus w itself, which counts there when w is followed upward.
   const bool upward = ordered_[w].a == walls_[w].a;
@@ -177,18 +178,22 @@ bool SectionLocator::near_interior(std::uint32_t w, std::uint32_t v, double tole
   return along > 0 && along < length2 && norm(cross(p, d)) <= tolerance * std::sqrt(length2);
 }
 
-std::vector<std::array<std::uint32_t, 2>> SectionLocator::near_touches(double tolerance) const {
+void SectionLocator::find_near_walls(std::uint32_t v, double tolerance, Pairs& found) const {
   // What is further from a wall's box is further from the wall, roundings of up to 2^-3 included.
   const double margin = tolerance + 1;
-  std::vector<std::array<std::uint32_t, 2>> found;
+  const double level = points_[v][second_], at = points_[v][first_];
+  const std::uint32_t last = strip_of(level + tolerance);
+  for (std::uint32_t s = strip_of(level - tolerance); s <= last; ++s)
+    for (const std::uint32_t w : strip(s))
+      if (boxes_[w].holds(at, level, margin) && walls_[w].a != v && walls_[w].b != v &&
+          near_interior(w, v, tolerance))
+        found.push_back({w, v});
+}
+
+SectionLocator::Pairs SectionLocator::near_touches(double tolerance) const {
+  Pairs found;
   const auto look_around = [&](std::uint32_t v) {
-    const double level = points_[v][second_], at = points_[v][first_];
-    const std::uint32_t last = strip_of(level + tolerance);
-    for (std::uint32_t s = strip_of(level - tolerance); s <= last; ++s)
-      for (const std::uint32_t w : strip(s))
-        if (boxes_[w].holds(at, level, margin) && walls_[w].a != v && walls_[w].b != v &&
-            near_interior(w, v, tolerance))
-          found.push_back({w, v});
+    (asks_other(points_[v]) ? *other_ : *this).find_near_walls(v, tolerance, found);
   };
   // Each vertex once: it is an end of two walls as a rule.
   std::uint32_t least = kNone, most = 0;
@@ -202,8 +207,19 @@ std::vector<std::array<std::uint32_t, 2>> SectionLocator::near_touches(double to
   return found;
 }
 
-std::vector<std::array<std::uint32_t, 2>> SectionLocator::conflicts() const {
-  std::vector<std::array<std::uint32_t, 2>> found;
+SectionLocator::Pairs SectionLocator::conflicts() const {
+  Pairs found;
+  if (other_)
+    for (std::uint32_t v = 0; v < walls_.size(); ++v)
+      (other_->walls_around(v) < walls_around(v) ? *other_ : *this).find_conflicts_of(v, found);
+  else
+    find_conflicts(found);
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  return found;
+}
+
+void SectionLocator::find_conflicts(Pairs& found) const {
   for (std::uint32_t s = 0; s + 1 < starts_.size(); ++s)
     for (const std::uint32_t v : strip(s)) {
       if (strips_[v].first != s)
@@ -212,8 +228,13 @@ std::vector<std::array<std::uint32_t, 2>> SectionLocator::conflicts() const {
         if (boxes_[v].meets(boxes_[w]) && w != v && (w > v || strips_[w].first != s) && in_conflict(v, w))
           found.push_back({std::min(v, w), std::max(v, w)});
     }
-  std::sort(found.begin(), found.end());
-  return found;
+}
+
+void SectionLocator::find_conflicts_of(std::uint32_t v, Pairs& found) const {
+  for (std::uint32_t s = strips_[v].first; s <= strips_[v].last; ++s)
+    for (const std::uint32_t w : strip(s))
+      if (w != v && boxes_[v].meets(boxes_[w]) && in_conflict(v, w))
+        found.push_back({std::min(v, w), std::max(v, w)});
 }
 
 }  // namespace crossloft

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -20,10 +21,11 @@ struct WallEnds {
 /// A ray argument in exact arithmetic: the walls whose span contains the level of the point are counted on
 /// one side of it. Level = projected coordinates in lexicographic order, that is, the ray direction is turned
 /// by an infinitesimal angle, so that no wall is parallel to the ray and each wall owns its lower end only.
-/// Walls are kept in strips of a projected axis: a query costs the walls that cross its strip. That is the
-/// second axis, or the first one if walls cross far fewer levels of that, as those of a flat section do.
+/// Walls are kept in strips of the second projected axis: a query costs the walls that cross its strip. Where
+/// these are many on average there are strips of the first one, too, and the shorter one is asked.
 class SectionLocator {
  public:
+  using Pairs = std::vector<std::array<std::uint32_t, 2>>;
   enum class Place : std::uint8_t { outside, boundary, inside };
 
   /// Of no plane, to be assigned to.
@@ -43,11 +45,11 @@ class SectionLocator {
   bool inside_left(std::uint32_t w) const;
 
   /// All pairs of walls (first < second, sorted) that share a point which is not an end of both.
-  std::vector<std::array<std::uint32_t, 2>> conflicts() const;
+  Pairs conflicts() const;
   /// Pairs (wall, point), sorted, of a wall and an end of another wall that is not an end of it but within
   /// `tolerance` (in the units of the points) of its interior. Distances are rounded; meant for a few lattice
   /// steps.
-  std::vector<std::array<std::uint32_t, 2>> near_touches(double tolerance) const;
+  Pairs near_touches(double tolerance) const;
 
  private:
   struct Count {
@@ -72,17 +74,30 @@ class SectionLocator {
     std::uint32_t first = 0, last = 0;
   };
 
+  /// With strips of the second projected axis alone; swapped: of the first one.
+  SectionLocator(const LatticePlane& plane, std::span<const LatticePoint> points,
+                 std::span<const WallEnds> walls, bool swapped);
   void measure();
   void fill_strips(std::uint32_t strips);
+  bool is_crowded() const;
   int compare_level(const LatticePoint& p, const LatticePoint& q) const;
   std::uint32_t strip_of(double level) const;
   std::span<const std::uint32_t> strip(std::uint32_t s) const {
     return {items_.data() + starts_[s], items_.data() + starts_[s + 1]};
   }
+  std::span<const std::uint32_t> strip_at(const LatticePoint& p) const { return strip(strip_of(p[second_])); }
+  bool asks_other(const LatticePoint& p) const {
+    return other_ && other_->strip_at(p).size() < strip_at(p).size();
+  }
+  /// How many a search for conflicts of w meets.
+  std::size_t walls_around(std::uint32_t w) const;
   /// Parity at p moved by an infinitesimal step towards q; wall `skip` is left out.
   Count count(const LatticePoint& p, const LatticePoint* toward, std::uint32_t skip) const;
   int side_of(std::uint32_t w, const LatticePoint& p) const;
   bool in_conflict(std::uint32_t v, std::uint32_t w) const;
+  void find_conflicts(Pairs& found) const;
+  void find_conflicts_of(std::uint32_t v, Pairs& found) const;
+  void find_near_walls(std::uint32_t v, double tolerance, Pairs& found) const;
   bool overlap_on_line(std::uint32_t v, std::uint32_t w) const;
   bool near_interior(std::uint32_t w, std::uint32_t v, double tolerance) const;
   const LatticePoint& low(std::uint32_t w) const { return points_[ordered_[w].a]; }
@@ -98,6 +113,7 @@ class SectionLocator {
   std::vector<Strips> strips_;     ///< by wall
   double origin_ = 0, inverse_ = 0, last_strip_ = 0;
   std::vector<std::uint32_t> starts_, items_;
+  std::unique_ptr<SectionLocator> other_;  ///< swapped, if strips are crowded
 };
 
 }  // namespace crossloft

@@ -158,12 +158,12 @@ TEST_CASE("conflicts are the pairs that share a point which is no end of both") 
   }
 }
 
-TEST_CASE("flat sections, whose walls are all at each level: the same answers along either axis") {
+TEST_CASE("flat sections, whose walls are all at each level: strips of the other axis answer the same") {
   for (const LatticePlane& plane : planes())
     for (const bool along_v : {false, true}) {
       CAPTURE(along_v);
       // A zigzag over a straight side, and walls across it that conflict with all in their way.
-      constexpr std::int64_t kLength = 60;
+      constexpr std::int64_t kLength = 300;
       Polygon zigzag;
       for (std::int64_t i = 0; i <= kLength; ++i) zigzag.corners.push_back({i, 4 + 4 * (i % 2)});
       zigzag.corners.push_back({kLength, 0});
@@ -187,6 +187,35 @@ TEST_CASE("flat sections, whose walls are all at each level: the same answers al
       CHECK(SectionLocator(plane, zigzag.points, zigzag.walls).conflicts().size() == kLength + 0U);
       CHECK(SectionLocator(plane, zigzag.points, zigzag.walls).near_touches(0.5).empty());
     }
+}
+
+TEST_CASE("rectangles with many points on each side: the same answers from the strips of both axes") {
+  constexpr std::int64_t kLong = 4000, kShort = 300;
+  for (const LatticePlane& plane : planes()) {
+    Polygon sides;
+    for (std::int64_t i = 0; i < kLong; ++i) sides.corners.push_back({i, 0});
+    for (std::int64_t i = 0; i < kShort; ++i) sides.corners.push_back({kLong, i});
+    for (std::int64_t i = kLong; i > 0; --i) sides.corners.push_back({i, kShort});
+    for (std::int64_t i = kShort; i > 0; --i) sides.corners.push_back({0, i});
+    sides.close(plane);
+    const SectionLocator locator(plane, sides.points, sides.walls);
+    for (std::int64_t u = -1; u <= kLong + 1; u += u < 3 || u > kLong - 3 ? 1 : 211)
+      for (std::int64_t v = -1; v <= kShort + 1; v += v < 3 || v > kShort - 3 ? 1 : 37)
+        CHECK(locator.locate(at(plane, u, v)) == brute_force(sides, {u, v}));
+    for (std::uint32_t w = 0; w < sides.walls.size(); ++w) CHECK(locator.inside_left(w));
+    CHECK(locator.conflicts().empty());
+    const auto last = static_cast<std::uint32_t>(sides.points.size());
+    sides.points.insert(sides.points.end(), {at(plane, 3, -1), at(plane, kLong + 1, 7), at(plane, 5, 0)});
+    sides.walls.push_back({last, last + 1});  // across two sides
+    sides.walls.push_back({last + 2, 9});     // along four walls
+    SectionLocator::Pairs along, across;
+    for (const auto& pair : SectionLocator(plane, sides.points, sides.walls).conflicts())
+      (pair[1] == last + 1 ? along : across).push_back(pair);
+    CHECK(along == SectionLocator::Pairs{{5, last + 1}, {6, last + 1}, {7, last + 1}, {8, last + 1}});
+    REQUIRE(across.size() == 2);
+    CHECK(across[0][0] < kLong);
+    CHECK(across[1][0] == kLong + 6);
+  }
 }
 
 TEST_CASE("a plane without contours has nothing inside") {
