@@ -126,8 +126,10 @@ void add_natural_options(CLI::App& command, NaturalOptions& natural) {
   const auto add_confidence = [&](const char* name, double& value, const char* help) {
     command.add_option(name, value, help)->capture_default_str()->check(number_in(-1.0, 1.0));
   };
-  add_confidence("--join-confidence", natural.join_confidence,
-                 "natural: sections are joined where the best way between them is this sure, -1 to 1");
+  add_confidence(
+      "--join-confidence", natural.join_confidence,
+      "natural: sections are joined where the best way between them is this sure, -1 to 1; joins in "
+      "doubt: --look-around, bodies that are alone then: --alone-confidence");
   add_confidence("--dome-confidence", natural.dome_confidence,
                  "natural: a hole in a section is closed over where its dome is this sure, -1 to 1");
   add_confidence(

@@ -10,6 +10,7 @@
 #include "../../io/atomic_file.h"
 #include "../../io/read_sections.h"
 #include "../../io/section_file.h"
+#include "../reconstruct/words.h"
 
 namespace crossloft::test {
 namespace {
@@ -46,16 +47,6 @@ std::vector<std::array<Vec3, 3>> triangles_of(const Surface& surface) {
   }
   std::sort(list.begin(), list.end());
   return list;
-}
-
-/// What the user is told; of merged vertices, which may count twice, nothing.
-std::vector<std::string> words_of(const std::vector<std::string>& notes, std::vector<std::string> warnings) {
-  warnings.insert(warnings.end(), notes.begin(), notes.end());
-  std::erase_if(warnings, [](const std::string& text) {
-    return text.find("were merged with others") != std::string::npos;
-  });
-  std::sort(warnings.begin(), warnings.end());
-  return warnings;
 }
 
 std::string surface_complaint(const StackReport& report, const Surface& surface) {

@@ -18,6 +18,7 @@
 #include "../../reconstruct/glue.h"
 #include "../arrangement/polygon_sections.h"
 #include "columns.h"
+#include "words.h"
 
 using namespace crossloft;
 
@@ -85,16 +86,6 @@ Streamed streamed(const Sections& sections, const Options& options = {}, std::ui
   return {std::move(sink.surface), std::move(report).value()};
 }
 
-/// What the user is told; of merged vertices, which may count twice, nothing.
-std::vector<std::string> words_of(const std::vector<std::string>& notes, std::vector<std::string> warnings) {
-  warnings.insert(warnings.end(), notes.begin(), notes.end());
-  std::erase_if(warnings, [](const std::string& text) {
-    return text.find("were merged with others") != std::string::npos;
-  });
-  std::sort(warnings.begin(), warnings.end());
-  return warnings;
-}
-
 /// Streams, and compares with what all planes at once give.
 Streamed check_streamed(const Sections& sections, const Options& options = {}, int reads = 3) {
   const auto whole = reconstruct(sections, options);
@@ -114,7 +105,7 @@ Streamed check_streamed(const Sections& sections, const Options& options = {}, i
   CHECK(parts.report.diagonal == report.diagonal);
   CHECK(parts.report.section_area == doctest::Approx(report.section_area));
   CHECK(parts.report.surface_triangles == report.surface_triangles);
-  CHECK(words_of(parts.report.notes, parts.report.warnings) == words_of(report.notes, report.warnings));
+  CHECK(test::words_of(parts.report.notes, parts.report.warnings) == test::words_of(report.notes, report.warnings));
   return parts;
 }
 
